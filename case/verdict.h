@@ -1,0 +1,17 @@
+// What the comparison of an answer with the truth comes to.
+#pragma once
+#include <array>
+#include <string_view>
+
+namespace plumbline {
+
+/// false_miss, false_hit: the answer contradicts the truth where the tracer's contract speaks.
+/// unspecified: the contract leaves this case open, so no answer is wrong. fault: the tracer gave no answer at all.
+enum class VerdictKind : unsigned char { correct, false_miss, false_hit, unspecified, fault };
+
+inline constexpr std::array<std::string_view, 5> verdict_kind_names = {"correct", "false-miss", "false-hit",
+                                                                       "unspecified", "fault"};
+
+constexpr std::string_view name(VerdictKind k) { return verdict_kind_names[static_cast<unsigned>(k)]; }
+
+}  // namespace plumbline

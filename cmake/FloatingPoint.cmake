@@ -1,0 +1,8 @@
+# Floating-point semantics are a property of a target, never of a command line: the same source under other flags is
+# another tracer with other answers.
+
+# Every library of ours: IEEE 754 binary64/binary32, each operation rounded once, in source order.
+# On x86-64 the baseline has no FMA; on targets that have it, contraction must be forbidden explicitly.
+add_library(plumbline_strict_fp INTERFACE)
+add_library(plumbline::strict_fp ALIAS plumbline_strict_fp)
+target_compile_options(plumbline_strict_fp INTERFACE -ffp-contract=off -fno-fast-math)
