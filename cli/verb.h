@@ -1,0 +1,19 @@
+// The verbs of the command line. Each add_VERB declares its subcommand and options, and the callback that does the
+// work when the command line is parsed: it parses, calls, prints.
+//
+// Exit codes: a callback that returns is 0, one that throws (InputError, or any other std::exception) is 2 with the
+// message as one line on stderr. Only judge and replay know a third: they set `disagreement`, which is 1.
+#pragma once
+#include <CLI/CLI.hpp>
+
+namespace plumbline {
+
+void add_sweep(CLI::App& app);
+void add_classify(CLI::App& app);
+void add_trace(CLI::App& app);
+void add_judge(CLI::App& app, bool& disagreement);
+void add_replay(CLI::App& app, bool& disagreement);
+void add_explain(CLI::App& app);
+void add_tracers(CLI::App& app);
+
+}  // namespace plumbline
