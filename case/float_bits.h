@@ -99,7 +99,7 @@ constexpr bool is_binary32(double x) {
   const auto fraction = to_bits(x) & F::fraction_mask;
   const auto significand = biased == 0 ? fraction : fraction | (F::fraction_mask + 1);
   const int low = std::countr_zero(significand) + F::least_exponent + (biased > 1 ? biased - 1 : 0);
-  const int high = std::bit_width(significand) - 1 + F::least_exponent + (biased > 1 ? biased - 1 : 0);
+  const int high = static_cast<int>(std::bit_width(significand)) - 1 + F::least_exponent + (biased > 1 ? biased - 1 : 0);
   using S = FloatFormat<float>;
   return high <= S::max_exponent && low >= S::least_exponent && high - low < S::precision;
 }

@@ -1,0 +1,174 @@
+#include "oracle/explain.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "oracle/classify.h"
+#include "oracle/exact_case.h"
+#include "oracle/judge.h"
+#include "oracle/round.h"
+#include "oracle/severity.h"
+
+namespace plumbline {
+namespace {
+
+using namespace exact;
+
+std::string number(double x) { return fmt::format("{:<24} ({:a})", x, x); }
+std::string point(const Vec3& v) { return fmt::format("{:a} {:a} {:a}   ({}, {}, {})", v.x, v.y, v.z, v.x, v.y, v.z); }
+
+// In lowest form: an odd integer times a power of two.
+std::string dyadic(const Dyadic& x) {
+  if (x.sign() == 0) return "0";
+  const auto twos = mpz_scan1(x.integer.get_mpz_t(), 0);
+  const mpz_class odd = x.integer >> twos;
+  const long exponent = x.exponent + static_cast<long>(twos);
+  return exponent == 0 ? odd.get_str() : fmt::format("{} * 2^{}", odd.get_str(), exponent);
+}
+
+std::string fraction(const Quotient& x) {
+  const mpq_class r = to_mpq(x);
+  return r.get_num().get_str() + "/" + r.get_den().get_str();
+}
+
+class Lines {
+ public:
+  template <class... Args>
+  void add(std::string_view label, fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(text_), "{:<10} ", label);
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+    text_ += '\n';
+  }
+  std::string take() { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
+
+std::string_view reason(Invalid invalid) {
+  switch (invalid) {
+    case Invalid::none: break;
+    case Invalid::triangle_not_finite: return "a coordinate of the triangle is NaN or infinite";
+    case Invalid::origin_not_finite: return "a coordinate of the origin is NaN or infinite";
+    case Invalid::direction_not_finite: return "a coordinate of the direction is NaN or infinite";
+    case Invalid::zero_direction: return "the direction is zero";
+    case Invalid::range_nan: return "a bound of the t range is NaN";
+  }
+  return "";
+}
+
+std::string side(const Dyadic& w, const Dyadic& det) {
+  const int s = w.sign() * det.sign();
+  return s > 0 ? "the sign of det: inner side" : s < 0 ? "against the sign of det: outer side" : "zero: on the edge line";
+}
+
+std::string where(const Truth& truth) {
+  switch (truth.hit_class) {
+    case HitClass::interior: return "all three w have the sign of det: the line crosses the interior";
+    case HitClass::edge: return fmt::format("one w is zero, the others have the sign of det: the line meets edge {}", name(truth.feature));
+    case HitClass::vertex: return fmt::format("two w are zero: the line meets vertex {}", name(truth.feature));
+    case HitClass::exterior: return "a w has the sign against det: the line passes outside";
+    case HitClass::parallel: return "det = 0 and T != 0: the line runs beside the plane";
+    case HitClass::coplanar: return "det = 0 and T = 0: the line runs in the plane";
+    case HitClass::degenerate: return "(b-a) x (c-a) = 0: the triangle is a segment or a point";
+    case HitClass::invalid: return std::string(reason(truth.invalid));
+  }
+  return "";
+}
+
+std::string versus_range(const Truth& truth) {
+  if (truth.versus_t_min < 0) return "t < t_min: before the range";
+  if (truth.versus_t_max > 0) return "t > t_max: behind the range";
+  if (truth.versus_t_min == 0) return "t = t_min: the range's closed start";
+  if (truth.versus_t_max == 0) return "t = t_max: the range's closed end";
+  return "t_min < t < t_max";
+}
+
+void add_coordinate(Lines& lines, std::string_view label, const Quotient& x) {
+  lines.add(label, "{}", fraction(x));
+  lines.add("", "binary64 {}   binary32 {:a}", number(rounded<double>(x)), rounded<float>(x));
+}
+
+void add_contact(Lines& lines, const ExactCase& x, const Ray& ray) {
+  const auto touched = contact(x);
+  if (!touched) {
+    lines.add("contact", "the line meets no point of the closed triangle");
+    return;
+  }
+  lines.add("contact", "t from {} to {}", fraction(*touched->low), fraction(*touched->high));
+  lines.add("", "{}", contact_in_range(x, ray) ? "it holds points of the t range: whether that is a hit is a matter of convention"
+                                               : "no point of it lies in the t range: a miss");
+}
+
+std::string condition_words(const Condition& c) {
+  if (c.nominal()) return "nominal";
+  std::string words = "ill-conditioned:";
+  if (c.grazing) words += " grazing (sin of ray and plane below 2^-10)";
+  if (c.sliver) words += " sliver (least altitude / longest edge below 2^-10)";
+  if (c.far) words += " far (longest edge / largest coordinate below 2^-10)";
+  return words;
+}
+
+}  // namespace
+
+std::string explain(const Triangle& triangle, const Ray& ray) {
+  Lines lines;
+  lines.add("a", "{}", point(triangle.a));
+  lines.add("b", "{}", point(triangle.b));
+  lines.add("c", "{}", point(triangle.c));
+  lines.add("origin", "{}", point(ray.origin));
+  lines.add("direction", "{}", point(ray.direction));
+  lines.add("range", "{:a} {:a}   ({}, {})", ray.t_min, ray.t_max, ray.t_min, ray.t_max);
+  const Truth truth = classify(triangle, ray);
+  if (truth.hit_class == HitClass::invalid) {
+    lines.add("class", "invalid: {}", reason(truth.invalid));
+    return lines.take();
+  }
+  const ExactCase x(triangle, ray);
+  lines.add("det", "{}", dyadic(x.det));
+  lines.add("T", "{}", dyadic(x.T));
+  if (x.det.sign() != 0) {
+    lines.add("w_ab", "{}   ({})", dyadic(x.w_ab), side(x.w_ab, x.det));
+    lines.add("w_bc", "{}   ({})", dyadic(x.w_bc), side(x.w_bc, x.det));
+    lines.add("w_ca", "{}   ({})", dyadic(x.w_ca), side(x.w_ca, x.det));
+  }
+  lines.add("class", "{}: {}", name(truth.hit_class), where(truth));
+  if (x.det.sign() != 0) {
+    add_coordinate(lines, "t = T/det", x.t());
+    lines.add("", "{}", versus_range(truth));
+    add_coordinate(lines, "u", x.u());
+    add_coordinate(lines, "v", x.v());
+  } else if (truth.hit_class != HitClass::parallel) {
+    add_contact(lines, x, ray);
+  }
+  const auto is_hit = hit(truth);
+  lines.add("hit", "{}", !is_hit ? "open: contact without a crossing" : *is_hit ? "yes" : "no");
+  return lines.take();
+}
+
+std::string explain_verdict(const Triangle& triangle, const Ray& ray, const Answer& answer, const Contract& contract) {
+  Lines lines;
+  const Ray searched = searched_ray(ray, contract);
+  const Truth truth = classify(triangle, searched);
+  constexpr std::string_view duties[] = {"must hit", "must miss", "may do either"};
+  lines.add("contract", "{} inputs, edges {}, t range {} ({} at its start, {} at its end)", name(contract.precision),
+            name(contract.edges), name(contract.range), name(contract.t_min), name(contract.t_max));
+  lines.add("asks", "{}", duties[static_cast<unsigned>(duty(truth, contract))]);
+  constexpr std::string_view outcomes[] = {"miss", "hit", "fault"};
+  lines.add("answer", "{}", outcomes[static_cast<unsigned>(answer.outcome)]);
+  if (answer.has_t) lines.add("", "t {}", number(answer.t));
+  if (answer.has_uv) lines.add("", "u {}   v {}", number(answer.u), number(answer.v));
+  if (answer.has_segment) lines.add("", "in {}   out {}", number(answer.in), number(answer.out));
+  const VerdictKind verdict = judge(triangle, ray, truth, answer, contract);
+  lines.add("verdict", "{}", name(verdict));
+  if (verdict == VerdictKind::false_hit || verdict == VerdictKind::false_miss) {
+    if (const auto s = severity(triangle, searched, answer.outcome == Outcome::hit, contract.precision)) {
+      lines.add("severity", "{} = {} ulps of the largest coordinate", number(s->length), s->ulps);
+      lines.add("", "{}", condition_words(s->condition));
+    }
+  }
+  return lines.take();
+}
+
+}  // namespace plumbline

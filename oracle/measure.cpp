@@ -1,0 +1,35 @@
+#include "oracle/measure.h"
+
+#include "oracle/exact_case.h"
+#include "oracle/round.h"
+
+namespace plumbline {
+namespace {
+
+std::optional<exact::ExactCase> crossing(const Triangle& triangle, const Ray& ray) {
+  if (exact::why_invalid(triangle, ray) != Invalid::none) return std::nullopt;
+  exact::ExactCase x(triangle, ray);
+  if (x.det.sign() == 0) return std::nullopt;
+  return x;
+}
+
+}  // namespace
+
+template <class Real>
+std::optional<Coordinates<Real>> measure(const Triangle& triangle, const Ray& ray) {
+  const auto x = crossing(triangle, ray);
+  if (!x) return std::nullopt;
+  return Coordinates<Real>{exact::rounded<Real>(x->t()), exact::rounded<Real>(x->u()), exact::rounded<Real>(x->v())};
+}
+
+template std::optional<Coordinates<float>> measure<float>(const Triangle&, const Ray&);
+template std::optional<Coordinates<double>> measure<double>(const Triangle&, const Ray&);
+
+std::optional<std::string> exact_t(const Triangle& triangle, const Ray& ray) {
+  const auto x = crossing(triangle, ray);
+  if (!x) return std::nullopt;
+  const mpq_class t = to_mpq(x->t());
+  return t.get_num().get_str() + "/" + t.get_den().get_str();
+}
+
+}  // namespace plumbline
