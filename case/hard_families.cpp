@@ -1,0 +1,180 @@
+#include "case/hard_families.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "case/float_bits.h"
+
+namespace plumbline {
+namespace {
+
+// SplitMix64 (Steele, Lea, Flood, OOPSLA 2014): every seed and index starts a stream of its own.
+class Random {
+ public:
+  Random(std::uint64_t seed, std::uint64_t index) : state_(seed * 0x9e3779b97f4a7c15u + index * 0xd1342543de82ef95u) { bits(); }
+  std::uint64_t bits() {
+    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+  }
+  /// Uniform in [low, high].
+  std::int64_t integer(std::int64_t low, std::int64_t high) {
+    return low + static_cast<std::int64_t>(bits() % static_cast<std::uint64_t>(high - low + 1));
+  }
+  /// Uniform in (-1, 1), 53 bits.
+  double unit() { return static_cast<double>(integer(-(std::int64_t{1} << 53) + 1, (std::int64_t{1} << 53) - 1)) * 0x1p-53; }
+  bool chance(int one_in) { return bits() % static_cast<unsigned>(one_in) == 0; }
+
+ private:
+  std::uint64_t state_;
+};
+
+template <class Draw>
+Vec3 vector(Draw draw) {
+  const double x = draw(), y = draw(), z = draw();
+  return {x, y, z};
+}
+
+// Exact in every use below: the operands are small multiples of one grid.
+Vec3 add(const Vec3& p, const Vec3& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
+Vec3 subtract(const Vec3& p, const Vec3& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
+Vec3 scale(double k, const Vec3& p) { return {k * p.x, k * p.y, k * p.z}; }
+
+// Ranges that begin or end at the hit of a ray aimed at t = 1, or beside it.
+void draw_range(Random& random, Ray& ray) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  constexpr std::array<std::array<double, 2>, 8> ranges = {
+      {{0, 1}, {1, inf}, {0.5, 1}, {1, 1}, {-inf, 0.5}, {1.5, 4}, {-inf, inf}, {1, 0.5}}};
+  if (random.chance(2)) return;
+  const auto& [low, high] = ranges[random.bits() % ranges.size()];
+  ray.t_min = low;
+  ray.t_max = high;
+}
+
+Shot random_shot(Random& random) {
+  const auto unit = [&] { return random.unit(); };
+  return {{vector(unit), vector(unit), vector(unit)}, {vector(unit), vector(unit)}};
+}
+
+Shot small_far(Random& random) {
+  const auto unit = [&] { return random.unit(); };
+  const Vec3 centre = vector(unit), origin = vector(unit);
+  const auto near = [&] { return add(centre, scale(0x1p-10, vector(unit))); };
+  return {{near(), near(), near()}, {origin, subtract(add(centre, scale(0x1p-12, vector(unit))), origin)}};
+}
+
+Shot lattice_shot(Random& random) {
+  const auto corner = [&] { return random.chance(2) ? 1.5 : 0.0; };
+  Shot s{{vector(corner), vector(corner), vector(corner)}, {vector(corner), {}}};
+  s.ray.direction = subtract(vector(corner), s.ray.origin);
+  return s;
+}
+
+// P is the midpoint of AB (or A itself, one in four), the ray goes from O to P: |coordinates| < 2^bits grid units.
+Shot exact_edge(Random& random, int bits) {
+  const std::int64_t reach = (std::int64_t{1} << (bits - 2)) - 1;
+  const double grid = std::ldexp(1.0, -bits);
+  const auto coordinate = [&] { return static_cast<double>(random.integer(-reach, reach)) * grid; };
+  const Vec3 a = vector(coordinate), p = vector(coordinate), c = vector(coordinate), o = vector(coordinate);
+  const Vec3 b = subtract(add(p, p), a);
+  const std::array<Vec3, 3> corner = {a, b, c};
+  const std::uint64_t turn = random.bits();
+  return {{corner[turn % 3], corner[(turn + 1) % 3], corner[(turn + 2) % 3]}, {o, subtract(random.chance(4) ? a : p, o)}};
+}
+
+std::array<double*, 15> coordinates(Shot& s) {
+  Triangle& t = s.triangle;
+  Ray& r = s.ray;
+  return {&t.a.x, &t.a.y, &t.a.z, &t.b.x, &t.b.y, &t.b.z, &t.c.x, &t.c.y, &t.c.z,
+          &r.origin.x, &r.origin.y, &r.origin.z, &r.direction.x, &r.direction.y, &r.direction.z};
+}
+
+Shot one_ulp_off(Random& random, Shot s) {
+  double& moved = *coordinates(s)[random.bits() % 15];
+  moved = step_ulps(moved, random.chance(2) ? 1 : -1);
+  return s;
+}
+
+// Small integers: O = A + i e1 + j e2 and D = k e1 + l e2 lie exactly in the plane.
+Shot coplanar(Random& random) {
+  const auto small = [&] { return static_cast<double>(random.integer(-8, 8)); };
+  const Vec3 a = vector(small), e1 = vector(small), e2 = vector(small);
+  const auto in_plane = [&] { return add(scale(0.5 * small(), e1), scale(0.5 * small(), e2)); };
+  return {{a, add(a, e1), add(a, e2)}, {add(a, in_plane()), in_plane()}};
+}
+
+// Vertices A, A + i E, A + j E; the ray is aimed at a point of their line, runs along it, or goes anywhere.
+Shot degenerate(Random& random) {
+  const auto small = [&] { return static_cast<double>(random.integer(-4, 4)); };
+  const Vec3 a = vector(small), e = vector(small), o = vector(small);
+  const auto on_line = [&] { return add(a, scale(small(), e)); };
+  Shot s{{a, on_line(), on_line()}, {o, subtract(on_line(), o)}};
+  if (random.chance(4)) s.ray = {on_line(), scale(small(), e)};
+  if (random.chance(8)) s.ray.direction = vector(small);
+  if (random.chance(8)) s.triangle.b = s.triangle.c = a;
+  return s;
+}
+
+Shot mixed40(Random& random) {
+  const auto wide = [&] { return std::ldexp(random.unit(), static_cast<int>(random.integer(-20, 20))); };
+  Shot s{{vector(wide), vector(wide), vector(wide)}, {vector(wide), {}}};
+  s.ray.direction = subtract(s.triangle.a, s.ray.origin);
+  return s;
+}
+
+Shot wide(Random& random) {
+  const auto any = [&] { return std::ldexp(random.unit(), static_cast<int>(random.integer(-500, 500))); };
+  return {{vector(any), vector(any), vector(any)}, {vector(any), vector(any)}};
+}
+
+Shot wide_edge(Random& random) {
+  Shot s = exact_edge(random, 51);
+  std::array<int, 3> axis{};
+  for (int& k : axis) k = static_cast<int>(random.integer(-300, 300));
+  const int along = static_cast<int>(random.integer(-300, 300));
+  const auto all = coordinates(s);
+  for (std::size_t i = 0; i < all.size(); ++i) *all[i] = std::ldexp(*all[i], axis[i % 3] + (i >= 12 ? along : 0));
+  return s;
+}
+
+Shot full_range(Random& random) {
+  const auto any = [&] {
+    for (;;)
+      if (const double x = from_bits<double>(random.bits()); is_finite(x)) return random.chance(16) ? 0.0 : x;
+  };
+  return {{vector(any), vector(any), vector(any)}, {vector(any), vector(any)}};
+}
+
+Shot geometry(Family family, Random& random) {
+  switch (family) {
+    case Family::random: return random_shot(random);
+    case Family::small_far: return small_far(random);
+    case Family::lattice: return lattice_shot(random);
+    case Family::exact_edge12: return exact_edge(random, 12);
+    case Family::exact_edge23: return exact_edge(random, 23);
+    case Family::exact_edge51: return exact_edge(random, 51);
+    case Family::ulp12: return one_ulp_off(random, exact_edge(random, 12));
+    case Family::ulp51: return one_ulp_off(random, exact_edge(random, 51));
+    case Family::coplanar: return coplanar(random);
+    case Family::degenerate: return degenerate(random);
+    case Family::mixed40: return mixed40(random);
+    case Family::wide: return wide(random);
+    case Family::wide_edge: return wide_edge(random);
+    case Family::full_range: return full_range(random);
+  }
+  return {};
+}
+
+}  // namespace
+
+Shot draw(Family family, std::uint64_t seed, std::uint64_t index) {
+  Random random(seed, index);
+  Shot s = geometry(family, random);
+  draw_range(random, s.ray);
+  return s;
+}
+
+}  // namespace plumbline

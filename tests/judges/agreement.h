@@ -1,0 +1,50 @@
+// What the tests of this folder share: the set {0, 1.5, 3}^3, and printing of a case that judges disagree on.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <ostream>
+
+#include "case/geometry.h"
+#include "oracle/classify.h"
+#include "oracle/explain.h"
+#include "tests/judges/integer_judge.h"
+
+namespace plumbline {
+
+inline void PrintTo(const Truth& t, std::ostream* out) {
+  *out << name(t.hit_class) << ' ' << name(t.feature) << " det " << int{t.det_sign} << " t_min " << int{t.versus_t_min}
+       << " t_max " << int{t.versus_t_max} << " touches " << t.touches << " invalid " << static_cast<int>(t.invalid);
+}
+
+namespace judges {
+
+/// Case `index` of the 27^5 with origin, target, a, b, c in {0, 1.5, 3}^3. The ray goes to the target, where t = 1 is
+/// the end of its range [0.5, 1].
+struct LatticeCase {
+  static constexpr std::uint64_t count = 14348907;
+  IntVec origin, direction, a, b, c;  ///< in steps of 1.5
+  Triangle triangle;
+  Ray ray;
+
+  explicit LatticeCase(std::uint64_t index) {
+    const auto point = [&index] {
+      const auto k = static_cast<std::int64_t>(index % 27);
+      index /= 27;
+      return IntVec{k / 9, k / 3 % 3, k % 3};
+    };
+    const auto real = [](const IntVec& k) {
+      return Vec3{1.5 * static_cast<double>(k[0]), 1.5 * static_cast<double>(k[1]), 1.5 * static_cast<double>(k[2])};
+    };
+    c = point(), b = point(), a = point();
+    const IntVec target = point();
+    origin = point();
+    direction = {target[0] - origin[0], target[1] - origin[1], target[2] - origin[2]};
+    triangle = {real(a), real(b), real(c)};
+    ray = {real(origin), real(direction), 0.5, 1};
+  }
+  Truth integer_truth() const { return judges::integer_truth(a, b, c, origin, direction, 2, 4); }
+};
+
+}  // namespace judges
+}  // namespace plumbline
