@@ -1,0 +1,71 @@
+"""Who may include whom: case -> oracle | float_tracer -> analysis -> fuzz -> cli, one way only. The oracle and the
+tracers share no arithmetic, so neither includes the other."""
+import pathlib
+import re
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+MAY_INCLUDE = {
+    "case": {"case"},
+    "oracle": {"case", "oracle"},
+    "float_tracer": {"case", "float_tracer"},
+    "analysis": {"case", "oracle", "float_tracer", "analysis"},
+    "fuzz": {"case", "oracle", "float_tracer", "analysis", "fuzz"},
+    "cli": {"case", "oracle", "float_tracer", "analysis", "fuzz", "cli"},
+}
+# Libraries that one folder alone may name: what is exact stays in the oracle, what parses stays at the border.
+ONLY_IN = {
+    r"gmp(xx)?\.h": {"oracle"},
+    r"embree\d/.*": {"float_tracer"},
+    r"simdjson\.h": {"case"},
+    r"nlohmann/.*": {"analysis"},
+    r"CLI/.*": {"cli"},
+    r"(CGAL|boost)/.*": set(),
+}
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
+
+
+def violations(folder, text):
+    found = []
+    for kind, name in INCLUDE.findall(text):
+        if kind == '"':
+            target = name.split("/")[0]
+            if target not in MAY_INCLUDE[folder]:
+                found.append(f'{folder}/ includes "{name}"')
+        for pattern, homes in ONLY_IN.items():
+            if re.fullmatch(pattern, name) and folder not in homes:
+                found.append(f"{folder}/ includes <{name}>")
+    return found
+
+
+def sources(folder):
+    return [p for p in sorted((ROOT / folder).rglob("*")) if p.suffix in {".h", ".cpp"}]
+
+
+class Layering(unittest.TestCase):
+    def test_includes_go_one_way(self):
+        found = []
+        for folder in MAY_INCLUDE:
+            for path in sources(folder):
+                found += [f"{path.relative_to(ROOT)}: {v}" for v in violations(folder, path.read_text())]
+        self.assertEqual(found, [])
+
+    def test_every_folder_has_sources(self):
+        for folder in ("case", "oracle", "float_tracer", "analysis", "cli"):
+            self.assertTrue(sources(folder), folder)
+
+    def test_the_check_sees_a_violation(self):
+        self.assertTrue(violations("oracle", '#include "float_tracer/tracer.h"\n'))
+        self.assertTrue(violations("float_tracer", '  #  include "oracle/truth.h"\n'))
+        self.assertTrue(violations("case", "#include <gmpxx.h>\n"))
+        self.assertFalse(violations("analysis", '#include "oracle/truth.h"\n#include <vector>\n'))
+
+    def test_headers_have_a_contract_on_top(self):
+        for folder in MAY_INCLUDE:
+            for path in sources(folder):
+                if path.suffix == ".h":
+                    self.assertTrue(path.read_text().startswith("// "), f"{path.relative_to(ROOT)} opens without its contract")
+
+
+if __name__ == "__main__":
+    unittest.main()
