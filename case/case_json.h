@@ -1,0 +1,51 @@
+// Cases and answers as NDJSON: one JSON object a line, for pipes. README.md lists the keys.
+//
+// Reading: a number is a JSON number, or a string with a hexfloat, "inf", "-inf" or "nan". A coordinate or bound that
+// is not finite (1e999 is infinite) is data: the oracle calls such a case invalid. All else that is wrong throws
+// InputError "file:line:column: what; the fix": malformed JSON, unknown or repeated keys, wrong types, a missing key.
+// A line at a time: memory is bounded by the longest line. Blank lines are skipped.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "case/answer.h"
+#include "case/case.h"
+#include "case/json_object.h"
+
+namespace plumbline {
+
+/// What a line says.
+struct CaseLine {
+  std::string id = "null";       ///< JSON text of the scalar, as it was
+  Case asked;                    ///< its id: the same as plain text
+  std::optional<Answer> answer;  ///< where the line has a key `hit`; hit null, or fault true: a fault
+  std::string tracer;            ///< who answered, if the line says
+};
+
+class CaseLines {
+ public:
+  /// "-" is standard input.
+  explicit CaseLines(const std::string& path);
+  ~CaseLines();
+
+  /// Reads the next line into `line`, whose memory is used again; false at the end.
+  bool next(CaseLine& line);
+  /// Whether next() would answer without waiting for more input: if not, it's time to flush what was answered.
+  bool ready();
+  /// Throws InputError about the line read last.
+  [[noreturn]] void fail(std::string_view message) const;
+
+ private:
+  class Impl;  // keeps simdjson's header out of ours
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Appends one line. Keys at their default are left out, except t_min and t_max.
+void append_json(std::string& out, const Case& what);
+
+/// Adds the members of an answer: hit, t, u, v, in, out; null where the tracer gave none. A fault is hit null and a
+/// member `fault`.
+void add_members(JsonObject& object, const Answer& answer);
+
+}  // namespace plumbline
