@@ -1,0 +1,23 @@
+// From a hit on the face to the piece of the ray inside the solid that BRL-CAD reports.
+#pragma once
+#include <optional>
+
+#include "float_tracer/brlcad/solid.h"
+
+namespace plumbline::brlcad {
+
+/// Parameters along the ray.
+struct Segment {
+  double in, out;
+};
+
+/// The piece around or behind a hit at t. A surface, or a solid without orientation, has no thickness: in = out = t. A
+/// plate has; with `cosine`, the ray's way through it. Of an oriented solid a lone face is the entry without the exit,
+/// or the exit without the entry, and is dropped.
+std::optional<Segment> segment_at(const Solid& solid, const Vector& direction, double t);
+
+/// What the weaving of segments into partitions leaves of one: ends within 0.0005 of the origin snap to it, nearly
+/// equal ends become equal, and what lies behind the origin is dropped. A plate around the origin is kept, with in < 0.
+std::optional<Segment> weave(Segment segment);
+
+}  // namespace plumbline::brlcad

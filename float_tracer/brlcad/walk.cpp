@@ -1,0 +1,56 @@
+#include "float_tracer/brlcad/walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plumbline::brlcad {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double zero_component = 1e-39;  // of a direction: up to here it counts as zero
+constexpr double look_back = 2.0;         // a ray that starts inside the box is moved back by no more
+
+// The near end of the ray's way through the box; the NaN of 0 * infinity changes nothing.
+std::optional<double> slab_test(const Box& box, const Vector& origin, const Vector& inverse) {
+  double near = -infinity, far = infinity;
+  for (int i = 0; i < 3; ++i) {
+    double first = (box.low[i] - origin[i]) * inverse[i], last = (box.high[i] - origin[i]) * inverse[i];
+    if (inverse[i] < 0) std::swap(first, last);
+    if (first > near) near = first;
+    if (last < far) far = last;
+  }
+  if (near > far || far < 0) return std::nullopt;
+  return near;
+}
+
+bool left_behind(const Box& box, const Vector& point, const Vector& direction) {
+  for (int i = 0; i < 3; ++i) {
+    if (direction[i] >= 0 && point[i] > box.high[i]) return true;
+    if (direction[i] <= 0 && point[i] < box.low[i]) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<Entry> enter(const Box& model_box, const Vector& origin, const Vector& given_direction) {
+  Vector direction = given_direction, inverse{};
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(direction[i]) <= zero_component) direction[i] = 0;
+    inverse[i] = direction[i] == 0 ? infinity : 1 / direction[i];
+  }
+  const auto near = slab_test(model_box, origin, inverse);
+  if (!near) return std::nullopt;
+
+  const double moved = std::max(*near, -look_back) + distance_tolerance;
+  const Vector point = origin + moved * direction;
+  if (left_behind(model_box, point, direction)) return std::nullopt;
+
+  // The box of the one solid's cell is the model's.
+  const auto cell_near = slab_test(model_box, point, inverse);
+  if (!cell_near) return std::nullopt;
+  return Entry{point, direction, moved, *cell_near};
+}
+
+}  // namespace plumbline::brlcad

@@ -1,0 +1,35 @@
+// What a ray/triangle kernel reads and says, in its own precision Real (float or double).
+//
+// A kernel is a class template over Real with
+//   Scalar                           Real itself;
+//   name, summary, source            the tracer's name without its precision, one sentence, the paper;
+//   PreparedTriangle                 made from KernelTriangle<Real> once per triangle;
+//   PreparedRay                      made from KernelRay<Real> once per ray;
+//   intersect(triangle, ray)         std::optional<KernelHit<Real>>, empty for a miss.
+// Comparisons are written so that a NaN fails them: a kernel never hits because of a NaN.
+#pragma once
+#include "float_tracer/vec.h"
+
+namespace plumbline {
+
+template <class Real>
+struct KernelTriangle {
+  Vec<Real> a, b, c;
+};
+
+template <class Real>
+struct KernelRay {
+  Vec<Real> origin, direction;
+  Real t_min, t_max;
+
+  /// Whether t lies in the closed range.
+  constexpr bool holds(Real t) const { return t_min <= t && t <= t_max; }
+};
+
+template <class Real>
+struct KernelHit {
+  Real t;     ///< parameter along the ray
+  Real u, v;  ///< weights of b and c
+};
+
+}  // namespace plumbline

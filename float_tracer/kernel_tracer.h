@@ -1,0 +1,77 @@
+// Makes a tracer of a ray/triangle kernel (see kernel.h): the loop of many rays over the triangles of one bag.
+//
+// The nearest hit is the answer; of several at the same t, the first triangle's. The mode of the bag is not read: every
+// triangle counts as a surface. Bags and rays are converted to the kernel's precision, exactly if they hold only such
+// numbers (see at_precision). Nothing is allocated and no virtual function is called per ray.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "float_tracer/kernel.h"
+#include "float_tracer/tracer.h"
+
+namespace plumbline {
+
+template <class Kernel>
+class PreparedKernelBag final : public PreparedBag {
+  using Real = typename Kernel::Scalar;
+
+ public:
+  explicit PreparedKernelBag(const Bag& bag) {
+    triangles_.reserve(bag.triangles.size());
+    for (const Triangle& t : bag.triangles)
+      triangles_.emplace_back(KernelTriangle<Real>{to_vec<Real>(t.a), to_vec<Real>(t.b), to_vec<Real>(t.c)});
+  }
+
+  void trace(std::span<const Ray> rays, std::span<Answer> answers) override {
+    for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = nearest(rays[i]);
+  }
+
+ private:
+  Answer nearest(const Ray& r) const {
+    const typename Kernel::PreparedRay ray(KernelRay<Real>{to_vec<Real>(r.origin), to_vec<Real>(r.direction),
+                                                           static_cast<Real>(r.t_min), static_cast<Real>(r.t_max)});
+    std::optional<KernelHit<Real>> best;
+    std::uint32_t triangle = 0;
+    for (std::uint32_t k = 0; k < triangles_.size(); ++k) {
+      const std::optional<KernelHit<Real>> hit = Kernel::intersect(triangles_[k], ray);
+      if (!hit || (best && !(hit->t < best->t))) continue;
+      best = hit;
+      triangle = k;
+    }
+    if (!best) return {};
+    return {.outcome = Outcome::hit,
+            .has_t = true,
+            .has_uv = true,
+            .triangle = triangle,
+            .t = best->t,
+            .u = best->u,
+            .v = best->v};
+  }
+
+  std::vector<typename Kernel::PreparedTriangle> triangles_;
+};
+
+/// All the textbook kernels declare the same: two-sided, closed edges, closed range, no widening.
+template <class Kernel>
+class KernelTracer final : public Tracer {
+  static constexpr bool single = std::is_same_v<typename Kernel::Scalar, float>;
+
+ public:
+  KernelTracer()
+      : Tracer({.name = std::string(Kernel::name) + (single ? "_f32" : "_f64"),
+                .summary = std::string(Kernel::summary),
+                .source = std::string(Kernel::source),
+                .contract = {.precision = single ? Precision::binary32 : Precision::binary64}}) {}
+
+  std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override {
+    return std::make_unique<PreparedKernelBag<Kernel>>(bag);
+  }
+};
+
+}  // namespace plumbline
