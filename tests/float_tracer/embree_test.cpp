@@ -1,0 +1,102 @@
+// The adapter to Embree: what it passes on, what it refuses, what it leaves alone.
+#include "float_tracer/embree.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#ifdef __x86_64__
+#include <xmmintrin.h>
+#endif
+
+#include "tests/float_tracer/shoot.h"
+
+namespace plumbline {
+namespace {
+
+const Triangle flat{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+const Ray down{.origin = {1, 2, 8}, .direction = {0, 0, -2}};
+
+class Embree : public testing::TestWithParam<std::string> {
+ protected:
+  Outcome outcome(const Triangle& triangle, const Ray& ray) {
+    return shoot(GetParam(), {.triangles = {triangle}}, ray).outcome;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(All, Embree, testing::Values("embree_default", "embree_robust"), parameter_name);
+
+TEST_P(Embree, GivesTUVAndTheTriangle) {
+  const Triangle far{{0, 0, -4}, {4, 0, -4}, {0, 4, -4}};
+  const Answer answer = shoot(GetParam(), {.triangles = {far, flat}}, down);
+  ASSERT_EQ(answer.outcome, Outcome::hit);
+  EXPECT_TRUE(answer.has_t && answer.has_uv && !answer.has_segment);
+  EXPECT_EQ(answer.triangle, 1u);
+  EXPECT_FLOAT_EQ(answer.t, 4);
+  EXPECT_FLOAT_EQ(answer.u, 0.25);
+  EXPECT_FLOAT_EQ(answer.v, 0.5);
+}
+
+TEST_P(Embree, ReadsTheRange) {
+  Ray ray = down;
+  ray.t_max = 3;
+  EXPECT_EQ(outcome(flat, ray), Outcome::miss);
+  ray.t_min = 5, ray.t_max = infinity;
+  EXPECT_EQ(outcome(flat, ray), Outcome::miss);
+  ray.t_min = 3, ray.t_max = 5;
+  EXPECT_EQ(outcome(flat, ray), Outcome::hit);
+  ray.t_min = 5, ray.t_max = 3;
+  EXPECT_EQ(outcome(flat, ray), Outcome::miss);
+  ray.t_min = ray.t_max = infinity;
+  EXPECT_EQ(outcome(flat, ray), Outcome::miss);
+}
+
+TEST_P(Embree, MissesAnEmptyBag) { EXPECT_EQ(shoot(GetParam(), {}, down).outcome, Outcome::miss); }
+
+TEST_P(Embree, FaultsOnEveryCoordinateBeyondTheLimits) {
+  const double limit = 1.844e18f;
+  for (const double bad : {not_a_number, infinity, -infinity, limit, -limit, 0x1p+100}) {
+    for (std::size_t i = 0; i < 9; ++i) {
+      Triangle spoilt = flat;
+      *coordinates(spoilt)[i] = bad;
+      EXPECT_EQ(outcome(spoilt, down), Outcome::fault) << "triangle coordinate " << i << " = " << bad;
+    }
+    for (std::size_t i = 0; i < 6; ++i) {
+      Ray spoilt = down;
+      *coordinates(spoilt)[i] = bad;
+      EXPECT_EQ(outcome(flat, spoilt), Outcome::fault) << "ray coordinate " << i << " = " << bad;
+    }
+  }
+}
+
+TEST_P(Embree, FaultsOnBoundsBeyondTheLimits) {
+  for (const double bad : {not_a_number, -infinity, -1.0, -0x1p-149}) {
+    Ray ray = down;
+    ray.t_min = bad;
+    EXPECT_EQ(outcome(flat, ray), Outcome::fault) << "t_min " << bad;
+    ray.t_min = 0, ray.t_max = bad;
+    EXPECT_EQ(outcome(flat, ray), Outcome::fault) << "t_max " << bad;
+  }
+}
+
+TEST_P(Embree, TakesTheLargestCoordinates) {
+  const double large = std::nextafter(1.844e18f, 0.0f);
+  const Triangle huge{{-large, -large, 0}, {large, -large, 0}, {0, large, 0}};
+  EXPECT_NE(outcome(huge, {.origin = {0, 0, large}, .direction = {0, 0, -large}}), Outcome::fault);
+}
+
+TEST_P(Embree, OneBadTriangleFaultsTheBag) {
+  EXPECT_EQ(shoot(GetParam(), {.triangles = {flat, {{infinity, 0, 0}, {1, 0, 0}, {0, 1, 0}}}}, down).outcome,
+            Outcome::fault);
+}
+
+#ifdef __x86_64__
+// Embree advises its users to flush subnormals to zero; the adapter must not do so behind the back of the oracle.
+TEST_P(Embree, LeavesTheFloatingPointControlWordAlone) {
+  constexpr unsigned control = 0xffc0;  // all but the sticky exception flags
+  const unsigned before = _mm_getcsr() & control;
+  shoot(GetParam(), {.triangles = std::vector<Triangle>(5000, flat)}, down);
+  EXPECT_EQ(_mm_getcsr() & control, before);
+}
+#endif
+
+}  // namespace
+}  // namespace plumbline
