@@ -30,9 +30,9 @@ TEST_P(Embree, GivesTUVAndTheTriangle) {
   ASSERT_EQ(answer.outcome, Outcome::hit);
   EXPECT_TRUE(answer.has_t && answer.has_uv && !answer.has_segment);
   EXPECT_EQ(answer.triangle, 1u);
-  EXPECT_FLOAT_EQ(answer.t, 4);
-  EXPECT_FLOAT_EQ(answer.u, 0.25);
-  EXPECT_FLOAT_EQ(answer.v, 0.5);
+  EXPECT_NEAR(answer.t, 4, 0x1p-20);
+  EXPECT_NEAR(answer.u, 0.25, 0x1p-20);
+  EXPECT_NEAR(answer.v, 0.5, 0x1p-20);
 }
 
 TEST_P(Embree, ReadsTheRange) {
