@@ -76,9 +76,10 @@ std::int64_t in_units(const Decimal& value, int exponent, std::string_view what)
   std::int64_t units = value.digits;
   for (int e = value.exponent; e > exponent && units != 0; --e) {
     if (units > max_digits / 10 || units < -max_digits / 10)
-      throw InputError(fmt::format("{}: {}e{} is more than 18 digits away from the finest digit in use; "
-                                   "bring box, step and offset closer in size",
-                                   what, value.digits, value.exponent));
+      throw InputError(
+          fmt::format("{}: {}e{} is more than 18 digits away from the finest digit in use; "
+                      "bring box, step and offset closer in size",
+                      what, value.digits, value.exponent));
     units *= 10;
   }
   return units;

@@ -14,7 +14,8 @@ constexpr std::uint64_t max_points = 2'642'245;  // the greatest whose cube is b
 std::vector<double> layers_along(char axis_name, const LatticeAxis& axis) {
   const auto named = [&](const char* what) { return fmt::format("{} along {}", what, axis_name); };
   if (axis.step.digits <= 0)
-    throw InputError(fmt::format("{}: {} is not positive; give a step such as 1.5", named("step"), to_double(axis.step)));
+    throw InputError(
+        fmt::format("{}: {} is not positive; give a step such as 1.5", named("step"), to_double(axis.step)));
   if (axis.box.digits <= 0)
     throw InputError(fmt::format("{}: {} is not positive; give a box such as 2", named("box"), to_double(axis.box)));
 
@@ -24,19 +25,21 @@ std::vector<double> layers_along(char axis_name, const LatticeAxis& axis) {
   const std::int64_t step = in_units(axis.step, exponent, named("step"));
   const std::int64_t offset = in_units(axis.offset, exponent, named("offset"));
   if (step > box)
-    throw InputError(fmt::format("{}: {} is larger than the box, {}; give a smaller step or a larger box", named("step"),
-                                 to_double(axis.step), to_double(axis.box)));
+    throw InputError(fmt::format("{}: {} is larger than the box, {}; give a smaller step or a larger box",
+                                 named("step"), to_double(axis.step), to_double(axis.box)));
   const std::int64_t last = box / step;
   if (last >= static_cast<std::int64_t>(max_points))
-    throw InputError(fmt::format("{}: {} layers are too many; give a larger step or a smaller box", named("step"), last + 1));
+    throw InputError(
+        fmt::format("{}: {} layers are too many; give a larger step or a smaller box", named("step"), last + 1));
 
   std::vector<double> layers;
   layers.reserve(static_cast<std::size_t>(last) + 1);
   for (std::int64_t k = 0; k <= last; ++k) layers.push_back(to_double({offset + k * step, exponent}));
   if (std::ranges::adjacent_find(layers) != layers.end())
-    throw InputError(fmt::format("{}: {} is lost beside the offset {}, neighbouring layers are the same double; "
-                                 "give a larger step or a smaller offset",
-                                 named("step"), to_double(axis.step), to_double(axis.offset)));
+    throw InputError(
+        fmt::format("{}: {} is lost beside the offset {}, neighbouring layers are the same double; "
+                    "give a larger step or a smaller offset",
+                    named("step"), to_double(axis.step), to_double(axis.offset)));
   return layers;
 }
 
@@ -59,7 +62,8 @@ Lattice make_lattice(const std::array<LatticeAxis, 3>& axes) {
     lattice.layers[i] = layers_along("xyz"[i], axes[i]);
     points *= lattice.layers[i].size();  // at most max_points squared: no overflow
     if (points > max_points)
-      throw InputError(fmt::format("step: more than {} lattice points; give a larger step or a smaller box", max_points));
+      throw InputError(
+          fmt::format("step: more than {} lattice points; give a larger step or a smaller box", max_points));
   }
   return lattice;
 }
@@ -72,6 +76,19 @@ std::uint64_t triple_count(const Lattice& lattice) {
   const std::uint64_t n = point_count(lattice);
   return n * n * n;
 }
+
+TripleRange triple_range(const Lattice& lattice, std::uint64_t first, std::optional<std::uint64_t> count) {
+  const std::uint64_t triples = triple_count(lattice);
+  if (first >= triples)
+    throw InputError(
+        fmt::format("first {}: the lattice has the ordered triples 0 to {}; give one of these", first, triples - 1));
+  if (count > triples - first)
+    throw InputError(fmt::format("count {}: there are only {} ordered triples from {} on; give at most that", *count,
+                                 triples - first, first));
+  return {first, count ? first + *count : triples};
+}
+
+Vec3 offset_of(const Lattice& lattice) { return coordinates(lattice, {0, 0, 0}); }
 
 LatticeTriple triple_at(const Lattice& lattice, std::uint64_t index) {
   const std::uint64_t n = point_count(lattice);

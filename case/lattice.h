@@ -2,11 +2,12 @@
 // stored. Box, step and offset are exact decimals per axis, so that the number of layers is exact; coordinates are the
 // doubles nearest to the exact ones; what is collinear is decided on the integers k.
 //
-// Order: points by x, then y, then z (z innermost); triples by a, then b, then c (c innermost), which is the order of the
-// report's nine nested loops. Units of length are the caller's.
+// Order: points by x, then y, then z (z innermost); triples by a, then b, then c (c innermost), which is the order of
+// the report's nine nested loops. Units of length are the caller's.
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "case/decimal.h"
@@ -20,6 +21,7 @@ struct LatticeAxis {
 
 struct Lattice {
   std::array<std::vector<double>, 3> layers;  ///< the coordinates along x, y and z
+  friend bool operator==(const Lattice&, const Lattice&) = default;
 };
 
 /// Which layer along x, y and z.
@@ -33,6 +35,17 @@ Lattice make_lattice(const std::array<LatticeAxis, 3>& axes);
 
 std::uint64_t point_count(const Lattice& lattice);
 std::uint64_t triple_count(const Lattice& lattice);
+
+/// The ordered triples [first, end).
+struct TripleRange {
+  std::uint64_t first = 0, end = 0;
+};
+
+/// `count` triples from `first` on, or all that follow. Throws InputError where the lattice has not as many.
+TripleRange triple_range(const Lattice& lattice, std::uint64_t first, std::optional<std::uint64_t> count);
+
+/// The first point, where all k are 0.
+Vec3 offset_of(const Lattice& lattice);
 
 /// index < triple_count(lattice). Takes the same time for any index.
 LatticeTriple triple_at(const Lattice& lattice, std::uint64_t index);

@@ -12,8 +12,8 @@
 // The point at n from P towards Q, with L = |PQ| and m = L - n, is (m P + n Q) / (m + n); beyond P it is
 // (m P - n Q) / (m - n) with m = L + n.
 //
-// A ray's direction is the triangle's normal, its origin the target - standoff * direction. The wish is what the author of
-// the target meant; rounding may have moved the ray elsewhere, and a tolerance longer than an edge does.
+// A ray's direction is the triangle's normal, its origin the target - standoff * direction. The wish is what the author
+// of the target meant; rounding may have moved the ray elsewhere, and a tolerance longer than an edge does.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -29,8 +29,8 @@ namespace plumbline {
 enum class Normal : unsigned char {
   divide,      ///< each component divided by the length, as the report does
   reciprocal,  ///< each component times 1 / length
-  none,        ///< not normalised. The standoff then counts in lengths of AB x AC; on a lattice of dyadic numbers with a
-               ///< dyadic standoff every vertex and midpoint ray is then exact: it meets its target.
+  none,  ///< not normalised. The standoff then counts in lengths of AB x AC; on a lattice of dyadic numbers with a
+         ///< dyadic standoff every vertex and midpoint ray is then exact: it meets its target.
 };
 inline constexpr std::array<std::string_view, 3> normal_names = {"divide", "reciprocal", "none"};
 constexpr std::string_view name(Normal n) { return normal_names[static_cast<unsigned>(n)]; }

@@ -49,7 +49,8 @@ TEST(Decimal, CountsUnits) {
 }
 
 TEST(Decimal, RefusesWhatIsNoNumber) {
-  for (const char* text : {"", "-", ".", "abc", "1.5x", "1.2.3", "nan", "inf", "1e", "1e+-3", "0x1p3", "1,5", " 1", "--1"})
+  for (const char* text :
+       {"", "-", ".", "abc", "1.5x", "1.2.3", "nan", "inf", "1e", "1e+-3", "0x1p3", "1,5", " 1", "--1"})
     EXPECT_THAT([&] { parse(text); }, ThrowsMessage<InputError>(AllOf(HasSubstr("step '" + std::string(text) + "'"),
                                                                       HasSubstr("write it like 1.5"))))
         << text;

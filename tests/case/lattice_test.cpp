@@ -92,10 +92,23 @@ TEST(Lattice, DecidesCollinearityOnIndices) {
   EXPECT_EQ(triangle_of(tenths, diagonal).c, (Vec3{0x1.3333333333333p-2, 0x1.999999999999ap-3, 0}));
 }
 
+TEST(Lattice, ChecksARangeOfTriples) {
+  const Lattice lattice = cube("2", "1.5", "0.25");
+  EXPECT_EQ(offset_of(lattice), (Vec3{0.25, 0.25, 0.25}));
+  EXPECT_EQ(triple_range(lattice, 100, {}).end, 512);
+  EXPECT_EQ(triple_range(lattice, 100, 412).end, 512);
+  EXPECT_THAT([&] { triple_range(lattice, 512, {}); }, ThrowsMessage<InputError>(HasSubstr("triples 0 to 511")));
+  EXPECT_THAT([&] { triple_range(lattice, 100, 413); },
+              ThrowsMessage<InputError>(HasSubstr("only 412 ordered triples")));
+}
+
 TEST(Lattice, RefusesBadInputNamingTheFix) {
   const auto refused = [](std::string_view box, std::string_view step, std::string_view offset, const char* message) {
-    EXPECT_THAT([&] { make_lattice({axis("2", "1"), axis(box, step, offset), axis("2", "1")}); },
-                ThrowsMessage<InputError>(HasSubstr(message)));
+    EXPECT_THAT(
+        [&] {
+          make_lattice({axis("2", "1"), axis(box, step, offset), axis("2", "1")});
+        },
+        ThrowsMessage<InputError>(HasSubstr(message)));
   };
   refused("2", "0", "0", "step along y: 0 is not positive; give a step");
   refused("2", "-1", "0", "step along y: -1 is not positive; give a step");

@@ -5,8 +5,10 @@
 
 #include <limits>
 
+#include "case/float_bits.h"
 #include "case/input_error.h"
 #include "case/lattice.h"
+#include "tests/recorded_rows.h"
 
 namespace plumbline {
 namespace {
@@ -44,12 +46,41 @@ TEST(Targets, FollowTheReportsEquations) {
     EXPECT_EQ(rays[i].direction, down);
     return rays[i].origin;
   };
-  EXPECT_EQ(origin_of(0), (Vec3{5, 0.5, 0.5}));                                     // centroid
-  EXPECT_EQ(origin_of(8), (Vec3{5, 0.75, 0.75}));                                   // middle of BC
-  EXPECT_EQ(origin_of(10), (Vec3{5, 0, 0x1.999999999999bp-4}));                     // 0.1 from A towards B
+  EXPECT_EQ(origin_of(0), (Vec3{5, 0.5, 0.5}));                                      // centroid
+  EXPECT_EQ(origin_of(8), (Vec3{5, 0.75, 0.75}));                                    // middle of BC
+  EXPECT_EQ(origin_of(10), (Vec3{5, 0, 0x1.999999999999bp-4}));                      // 0.1 from A towards B
   EXPECT_EQ(origin_of(19), (Vec3{5, -0x1.21a1851ff630bp-4, 0x1.921a1851ff631p+0}));  // 0.1 beyond B on CB
-  EXPECT_EQ(origin_of(22), (Vec3{5, 0x1.5bcbcf5c0139fp-1, 0x1.5bcbcf5c0139fp-1}));  // 0.1 from BC's middle towards A
-  EXPECT_EQ(origin_of(43), (Vec3{5, 0x1.805cae90fffcdp-1, 0x1.805cae90fffcdp-1}));  // 0.001 the other way
+  EXPECT_EQ(origin_of(22), (Vec3{5, 0x1.5bcbcf5c0139fp-1, 0x1.5bcbcf5c0139fp-1}));   // 0.1 from BC's middle towards A
+  EXPECT_EQ(origin_of(43), (Vec3{5, 0x1.805cae90fffcdp-1, 0x1.805cae90fffcdp-1}));   // 0.001 the other way
+}
+
+std::array<std::uint64_t, 6> bits(const Ray& r) {
+  return {to_bits(r.origin.x),    to_bits(r.origin.y),    to_bits(r.origin.z),
+          to_bits(r.direction.x), to_bits(r.direction.y), to_bits(r.direction.z)};
+}
+
+// The ids of the recorded rows count the rays of the report's experiment.
+void expect_recorded_rays(const std::filesystem::path& directory) {
+  const LatticeAxis axis = {{2, 0}, {15, -1}, {}};
+  const Lattice lattice = make_lattice({axis, axis, axis});
+  std::vector<Triangle> triangles;
+  for (std::uint64_t i = 0; i < triple_count(lattice); ++i)
+    if (const LatticeTriple triple = triple_at(lattice, i); !collinear(triple))
+      triangles.push_back(triangle_of(lattice, triple));
+  const auto rows = read_recorded_rows(directory / "brlcad-7.24.2-lattice.csv");
+  ASSERT_FALSE(rows.empty());
+  for (const RecordedRow& row : rows) {
+    const std::size_t id = std::stoul(row.id);
+    ASSERT_EQ(triangles.at(id / 64), row.triangle) << row.id;
+    ASSERT_EQ(bits(rays_at(row.triangle, {})[id % 64]), bits(row.ray)) << row.id;
+  }
+}
+
+TEST(Targets, AreTheRecordedOnesBitForBit) { expect_recorded_rays(recorded_sample()); }
+
+TEST(Targets, AreAllOfTheRecordedOnesBitForBit) {
+  if (!full_recordings()) GTEST_SKIP() << "PLUMBLINE_RECORDED names no directory with the full recordings";
+  expect_recorded_rays(*full_recordings());
 }
 
 TEST(Targets, NormalCanBeDividedMultipliedOrLeft) {
