@@ -1,0 +1,44 @@
+#include "analysis/tally.h"
+
+#include "oracle/judge.h"
+
+namespace plumbline {
+
+Tally& operator+=(Tally& sum, const Tally& more) {
+  sum.attempts += more.attempts;
+  sum.successes += more.successes;
+  sum.exact_successes += more.exact_successes;
+  sum.false_misses += more.false_misses;
+  sum.false_hits += more.false_hits;
+  sum.lucky += more.lucky;
+  sum.unspecified += more.unspecified;
+  sum.faults += more.faults;
+  return sum;
+}
+
+std::optional<bool> right_answer(const Truth& truth, const Contract& contract) {
+  switch (duty(truth, contract)) {
+    case Duty::hit: return true;
+    case Duty::miss: return false;
+    case Duty::any: break;
+  }
+  return hit(truth);
+}
+
+void count(Tally& tally, Wish wish, std::optional<bool> right_answer, Outcome outcome, VerdictKind verdict) {
+  const bool wished = wish == Wish::hit;
+  const bool answered = outcome == Outcome::hit;
+  const bool success = outcome != Outcome::fault && answered == wished;
+  const bool wrong = verdict == VerdictKind::false_miss || verdict == VerdictKind::false_hit;
+  const bool excused = verdict == VerdictKind::correct && right_answer != answered;
+  tally.attempts += 1;
+  tally.successes += success;
+  tally.exact_successes += right_answer == wished;
+  tally.false_misses += verdict == VerdictKind::false_miss;
+  tally.false_hits += verdict == VerdictKind::false_hit;
+  tally.lucky += wrong && success;
+  tally.unspecified += verdict == VerdictKind::unspecified || excused;
+  tally.faults += verdict == VerdictKind::fault;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,42 @@
+// Wish, truth and answer of many rays, counted apart.
+//
+// Wish != truth is a harness error, answer != truth a tracer error, answer = wish != truth a lucky success: a tracer
+// error that looks like a success. Where nothing is unspecified and nothing a fault,
+//   attempts - successes = harness_errors + false_misses + false_hits - 2 lucky
+// since a ray fails exactly when one of harness error and tracer error happens, but not both.
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "case/answer.h"
+#include "case/case.h"
+#include "case/contract.h"
+#include "case/verdict.h"
+#include "oracle/truth.h"
+
+namespace plumbline {
+
+struct Tally {
+  std::uint64_t attempts = 0;
+  std::uint64_t successes = 0;        ///< answer = wish
+  std::uint64_t exact_successes = 0;  ///< truth = wish
+  std::uint64_t false_misses = 0;     ///< answer against truth
+  std::uint64_t false_hits = 0;
+  std::uint64_t lucky = 0;        ///< false misses and false hits with answer = wish
+  std::uint64_t unspecified = 0;  ///< the contract leaves the answer open, or excuses one that isn't the truth (slack)
+  std::uint64_t faults = 0;       ///< no answer
+  std::uint64_t harness_errors() const { return attempts - exact_successes; }
+  friend bool operator==(const Tally&, const Tally&) = default;
+};
+
+/// Merging two tallies is adding them, in any order.
+Tally& operator+=(Tally& sum, const Tally& more);
+
+/// Whether a right answer is a hit: what the contract asks, or, where that is silent, the closed triangle's truth. No
+/// value where that is open too.
+std::optional<bool> right_answer(const Truth& truth, const Contract& contract);
+
+/// Adds one ray. `wish` is not Wish::none.
+void count(Tally& tally, Wish wish, std::optional<bool> right_answer, Outcome outcome, VerdictKind verdict);
+
+}  // namespace plumbline
