@@ -1,0 +1,45 @@
+#include "cli/lattice_options.h"
+
+#include "case/input_error.h"
+
+namespace plumbline {
+
+void add_lattice_options(CLI::App& verb, LatticeOptions& options) {
+  verb.add_option("--box", options.box, "Size of the bounding box along x, y and z (decimals, taken exactly)")
+      ->type_name("X Y Z")
+      ->capture_default_str()
+      ->group("Triangles");
+  verb.add_option("--step", options.step, "Lattice step: one number, or one each for x, y and z")
+      ->type_name("S|X Y Z")
+      ->expected(1, 3)
+      ->capture_default_str()
+      ->group("Triangles");
+  verb.add_option("--offset", options.offsets, "Where the box begins; repeat it to visit several places")
+      ->type_name("X Y Z")
+      ->group("Triangles");
+  verb.add_option("--first", options.first, "Index of the first ordered triple of lattice points")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N")
+      ->capture_default_str()
+      ->group("Triangles");
+  verb.add_option("--count", options.count, "How many ordered triples (default: all that follow)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N")
+      ->group("Triangles");
+}
+
+std::vector<Lattice> lattices(const LatticeOptions& options) {
+  if (options.step.size() == 2) throw InputError("--step: two numbers; give one, or one each for x, y and z");
+  std::vector<Lattice> list;
+  for (const auto& offset : options.offsets) {
+    std::array<LatticeAxis, 3> axes;
+    for (std::size_t i = 0; i < 3; ++i)
+      axes[i] = {parse_decimal(options.box[i], "--box"),
+                 parse_decimal(options.step[options.step.size() == 1 ? 0 : i], "--step"),
+                 parse_decimal(offset[i], "--offset")};
+    list.push_back(make_lattice(axes));
+  }
+  return list;
+}
+
+}  // namespace plumbline
