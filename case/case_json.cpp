@@ -412,6 +412,11 @@ void CaseLines::fail(std::string_view message) const { impl_->fail_at_start(mess
 void append_json(std::string& out, const Case& what) {
   JsonObject object(out);
   object.text("id", what.id);
+  add_members(object, what);
+  object.end_line();
+}
+
+void add_members(JsonObject& object, const Case& what) {
   if (what.precision != Precision::binary64) object.text("precision", name(what.precision));
   const Bag& bag = what.bag;
   if (bag.triangles.size() == 1) {
@@ -437,7 +442,6 @@ void append_json(std::string& out, const Case& what) {
     object.number("standoff", what.aim->standoff);
     object.text("wish", name(what.aim->wish));
   }
-  object.end_line();
 }
 
 void add_members(JsonObject& object, const Answer& answer) {

@@ -41,8 +41,11 @@ class CaseLines {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Appends one line. Keys at their default are left out, except t_min and t_max.
+/// Appends one line.
 void append_json(std::string& out, const Case& what);
+
+/// Adds the members of a case but its id; what is at its default is left out, except t_min and t_max.
+void add_members(JsonObject& object, const Case& what);
 
 /// Adds the members of an answer: hit, t, u, v, in, out; null where the tracer gave none. A fault is hit null and a
 /// member `fault`.

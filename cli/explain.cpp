@@ -1,7 +1,113 @@
+#include "oracle/explain.h"
+
+#include <fmt/format.h>
+
+#include "analysis/ask.h"
+#include "analysis/tracers.h"
+#include "case/case_text.h"
+#include "case/input_error.h"
+#include "case/real_text.h"
+#include "cli/output.h"
 #include "cli/verb.h"
 
 namespace plumbline {
+namespace {
 
-void add_explain(CLI::App&) {}
+struct Options {
+  std::string file, id, tracer;
+  std::vector<std::string> triangle, ray, range;
+};
+
+double number(const std::string& text, std::string_view option) {
+  const auto x = parse_real(text);
+  if (!x) throw InputError(fmt::format("{}: '{}' is no number; write 1.5, 0x1.8p+0, inf or -inf", option, text));
+  return *x;
+}
+
+// The three numbers from `at` on.
+Vec3 vector(const std::vector<std::string>& texts, std::size_t at, std::string_view option) {
+  return {number(texts[at], option), number(texts[at + 1], option), number(texts[at + 2], option)};
+}
+
+Case case_of(const Options& options) {
+  Case made;
+  made.id = "given";
+  made.bag.triangles = {{vector(options.triangle, 0, "--triangle"), vector(options.triangle, 3, "--triangle"),
+                         vector(options.triangle, 6, "--triangle")}};
+  made.ray = {vector(options.ray, 0, "--ray"), vector(options.ray, 3, "--ray")};
+  if (!options.range.empty()) {
+    made.ray.t_min = number(options.range[0], "--range");
+    made.ray.t_max = number(options.range[1], "--range");
+  }
+  return made;
+}
+
+std::vector<Case> cases_of(const Options& options) {
+  if (options.file.empty()) {
+    if (options.triangle.empty()) throw InputError("explain what? Give a FILE.case, or --triangle and --ray");
+    return {case_of(options)};
+  }
+  std::vector<Case> cases = read_cases(options.file);
+  if (!options.id.empty()) std::erase_if(cases, [&](const Case& c) { return c.id != options.id; });
+  if (cases.empty())
+    throw InputError(options.id.empty() ? fmt::format("{}: no case in this file", options.file)
+                                        : fmt::format("{}: no case '{}' in this file", options.file, options.id));
+  return cases;
+}
+
+std::string text_of(const Case& asked, const Tracer* tracer) {
+  std::string text = fmt::format("case {}\n", asked.id);
+  for (const std::string& line : asked.provenance) text += fmt::format("# {}\n", line);
+  const Case put = tracer ? put_at(asked, tracer->info().contract.precision) : asked;
+  for (const Triangle& triangle : put.bag.triangles) text += "\n" + explain(triangle, put.ray);
+  if (!tracer) return text;
+  if (put.bag.triangles.size() != 1)
+    throw InputError(
+        fmt::format("case '{}' has {} triangles; a verdict is on one", asked.id, put.bag.triangles.size()));
+  text += fmt::format("\ntracer     {}\n", tracer->info().name);
+  return text + explain_verdict(put.bag.triangles.front(), put.ray, ask(*tracer, put), tracer->info().contract);
+}
+
+void run(const Options& options) {
+  const Tracer* const tracer = options.tracer.empty() ? nullptr : &find_tracer(options.tracer);
+  Output output;
+  bool first = true;
+  for (const Case& asked : cases_of(options)) {
+    output.write((first ? "" : "\n\n") + text_of(asked, tracer));
+    first = false;
+  }
+  output.finish();
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand("explain", "Why: the exact numbers behind a class and a verdict");
+  auto options = std::make_shared<Options>();
+  CLI::Option* file = verb->add_option("FILE", options->file, "A .case file; '-' is standard input");
+  verb->add_option("--id", options->id, "Only the case of this id (default: all of the file)")
+      ->type_name("ID")
+      ->needs(file);
+  CLI::Option* triangle = verb->add_option("--triangle", options->triangle, "Instead of a file: the vertices a, b, c")
+                              ->type_name("X Y Z  X Y Z  X Y Z")
+                              ->expected(9)
+                              ->excludes(file);
+  CLI::Option* ray = verb->add_option("--ray", options->ray, "The ray's origin and direction")
+                         ->type_name("X Y Z  X Y Z")
+                         ->expected(6)
+                         ->needs(triangle);
+  triangle->needs(ray);
+  verb->add_option("--range", options->range, "t_min and t_max, in lengths of the direction (default: 0 inf)")
+      ->type_name("T T")
+      ->expected(2)
+      ->needs(triangle);
+  verb->add_option("--tracer", options->tracer, "Ask this tracer too, at its precision, and explain the verdict")
+      ->type_name("NAME");
+  verb->footer(
+      "A number is a decimal, a hexfloat (0x1.8p+0), inf or -inf.\n"
+      "\nExample:\n"
+      "  plumbline explain --triangle 0 0 0  1.5 0 0  0 1.5 0 --ray 0.75 0.75 5  0 0 -1 --tracer brlcad_bot_hlbvh");
+  verb->callback([options] { run(*options); });
+}
 
 }  // namespace plumbline

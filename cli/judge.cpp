@@ -1,7 +1,106 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "analysis/ask.h"
+#include "analysis/tracers.h"
+#include "case/input_error.h"
+#include "cli/stream.h"
 #include "cli/verb.h"
 
 namespace plumbline {
+namespace {
 
-void add_judge(CLI::App&, bool&) {}
+struct Options {
+  StreamOptions stream;
+  std::string tracer;
+};
+
+// What the answer is judged by: --tracer's contract, else that of the tracer which the line names, else the default
+// one.
+Contract contract_of(const CaseLine& line, const Tracer* chosen) {
+  if (chosen) return chosen->info().contract;
+  for (const auto& tracer : all_tracers())
+    if (tracer->info().name == line.tracer) return tracer->info().contract;
+  return {.precision = line.asked.precision};
+}
+
+std::string words(const Condition& condition) {
+  if (condition.nominal()) return "nominal";
+  std::string all;
+  const auto add = [&all](bool is, std::string_view word) {
+    if (is) all += (all.empty() ? "" : " ") + std::string(word);
+  };
+  add(condition.grazing, "grazing");
+  add(condition.sliver, "sliver");
+  add(condition.far, "far");
+  return all;
+}
+
+void write(const CaseLine& line, const Judgement& judgement, std::string& out) {
+  const auto& severity = judgement.severity;
+  JsonObject object(out);
+  object.member("id") += line.id;
+  object.text("verdict", name(judgement.verdict));
+  object.text("class", name(judgement.truth.hit_class));
+  const Feature feature = judgement.truth.feature;
+  object.text("feature", feature == Feature::none ? std::nullopt : std::optional(name(feature)));
+  object.boolean("hit", hit(judgement.truth));
+  object.number("severity", severity ? std::optional(severity->length) : std::nullopt);
+  object.number("severity_ulps", severity ? std::optional(severity->ulps) : std::nullopt);
+  object.text("condition", severity ? std::optional(words(severity->condition)) : std::nullopt);
+  object.end_line();
+}
+
+bool run(const Options& options) {
+  const Tracer* const chosen = options.tracer.empty() ? nullptr : &find_tracer(options.tracer);
+  std::array<std::size_t, verdict_kind_names.size()> count{};
+  const auto lines_read =
+      answer_lines(options.stream, [&](const CaseLines& lines, const CaseLine& line, std::string& out) {
+        require_one_triangle(lines, line);
+        if (!line.answer) lines.fail("no answer to judge; add \"hit\":true, false, or null for a fault");
+        const Judgement judgement = judge(line.asked, *line.answer, contract_of(line, chosen));
+        ++count[static_cast<unsigned>(judgement.verdict)];
+        write(line, judgement, out);
+      });
+  if (lines_read == 0)
+    throw InputError(fmt::format("{}: nothing to judge; give one JSON object a line", options.stream.input));
+
+  fmt::print(stderr, "{} answers", lines_read);
+  for (std::size_t i = 0; i < count.size(); ++i)
+    fmt::print(stderr, "{} {} {}", i == 0 ? ":" : ",", count[i], verdict_kind_names[i]);
+  fmt::print(stderr, "\n");
+  const auto of = [&count](VerdictKind kind) { return count[static_cast<unsigned>(kind)]; };
+  return of(VerdictKind::false_miss) + of(VerdictKind::false_hit) > 0;
+}
+
+}  // namespace
+
+void add_judge(CLI::App& app, bool& disagreement) {
+  CLI::App* verb = app.add_subcommand("judge", "Whether answers are right: exit code 1 if one is wrong");
+  auto options = std::make_shared<Options>();
+  verb->add_option(
+          "--tracer", options->tracer,
+          "Judge by what this tracer promises (default: the tracer that a line names, else closed edges, closed\n"
+          "range t_min to t_max)")
+      ->type_name("NAME");
+  add_stream_options(*verb, options->stream);
+  verb->footer(std::string(question_keys) +
+               "and the answer to it:\n"
+               "  hit          true, false, or null for a fault (required)\n"
+               "  t, u, v, in, out, triangle_index   numbers or null\n"
+               "  tracer       who says so\n"
+               "\nEach line of output judges one line of input:\n"
+               "  id           as given\n"
+               "  verdict      correct, false-miss, false-hit, unspecified (the contract leaves it open) or fault\n"
+               "  class, feature, hit   the truth, as classify tells it\n"
+               "  severity     of a wrong answer: by how much the ray would have to be moved for it to be right, as a\n"
+               "               length; severity_ulps in units in the last place of the largest coordinate\n"
+               "  condition    nominal, or what makes the case ill-conditioned: grazing, sliver, far\n"
+               "The counts go to standard error.\n"
+               "\nExample:\n"
+               "  plumbline trace --tracer plucker_f32 --merged rays.ndjson | plumbline judge -");
+  verb->callback([options, &disagreement] { disagreement = run(*options); });
+}
 
 }  // namespace plumbline

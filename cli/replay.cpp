@@ -1,7 +1,59 @@
+#include "analysis/replay.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "analysis/tracers.h"
+#include "cli/output.h"
 #include "cli/verb.h"
 
 namespace plumbline {
+namespace {
 
-void add_replay(CLI::App&, bool&) {}
+struct Options {
+  std::vector<std::string> paths, tracers;
+};
+
+std::vector<const Tracer*> chosen_tracers(const Options& options) {
+  std::vector<const Tracer*> chosen;
+  for (const std::string& name : options.tracers) chosen.push_back(&find_tracer(name));
+  if (options.tracers.empty())
+    for (const auto& tracer : all_tracers()) chosen.push_back(tracer.get());
+  return chosen;
+}
+
+bool run(const Options& options) {
+  const ReplaySummary summary = replay(options.paths, chosen_tracers(options));
+  Output output;
+  for (const ReplayEvent& event : summary.events)
+    output.write(fmt::format("{}: {}: {}\n", event.file, event.id, event.message));
+  output.finish();
+  fmt::print(stderr, "{} cases in {} files, {} answers: {} not as the files say, {} known findings, {} faults",
+             summary.cases, summary.files, summary.answers, summary.events.size(), summary.known, summary.faults);
+  if (summary.skipped_known > 0) fmt::print(stderr, ", {} known findings of tracers not asked", summary.skipped_known);
+  fmt::print(stderr, "\n");
+  return !summary.events.empty();
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, bool& disagreement) {
+  CLI::App* verb =
+      app.add_subcommand("replay", "Run .case files as a regression test: exit code 1 if something changed");
+  auto options = std::make_shared<Options>();
+  verb->add_option("PATH", options->paths, ".case files, and folders that are searched for *.case")->required();
+  verb->add_option("--tracer", options->tracers, "Whom to ask; repeatable (default: all, see 'plumbline tracers')")
+      ->type_name("NAME")
+      ->expected(1)
+      ->take_all();
+  verb->footer(
+      "The oracle derives what each case expects again, and every tracer is asked and judged. A line is printed for\n"
+      "everything that is not as the file says: an expectation that isn't the truth, a wrong answer that no line\n"
+      "'known TRACER KIND' lists, and a known one that has changed or gone. corpus/README.md describes the format.\n"
+      "\nExample:\n"
+      "  plumbline replay corpus/hard --tracer woop_watertight_f32");
+  verb->callback([options, &disagreement] { disagreement = run(*options); });
+}
 
 }  // namespace plumbline

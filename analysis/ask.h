@@ -1,0 +1,34 @@
+// One case, one tracer, one verdict. Spans of rays against one bag are sweep.h's.
+#pragma once
+#include <optional>
+
+#include "case/answer.h"
+#include "case/case.h"
+#include "case/contract.h"
+#include "case/verdict.h"
+#include "float_tracer/tracer.h"
+#include "oracle/severity.h"
+#include "oracle/truth.h"
+
+namespace plumbline {
+
+/// The case as it is really put to a tracer of that precision: rounded.
+Case put_at(Case asked, Precision precision);
+
+/// What the tracer says of the case, put at its precision.
+Answer ask(const Tracer& tracer, const Case& asked);
+
+struct Judgement {
+  Truth truth;  ///< of the ray that the contract says is searched, at its precision
+  VerdictKind verdict = VerdictKind::correct;
+  std::optional<Severity> severity;  ///< where the answer is wrong
+};
+
+constexpr bool wrong(VerdictKind verdict) {
+  return verdict == VerdictKind::false_miss || verdict == VerdictKind::false_hit;
+}
+
+/// The bag holds exactly one triangle.
+Judgement judge(const Case& asked, const Answer& answer, const Contract& contract);
+
+}  // namespace plumbline
