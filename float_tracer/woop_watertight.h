@@ -4,12 +4,12 @@
 //
 // The paper's two-sided test. In binary32, where an edge function comes out as exactly zero all three are computed
 // again in binary64, where the products are exact; the paper names no such step for binary64, so there the zeros stand.
+// The paper's swap of two axes to keep the winding serves only culling and is left out: it negates every number here.
 #pragma once
 #include <cmath>
 #include <optional>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 
 #include "float_tracer/kernel.h"
 
@@ -28,7 +28,6 @@ struct WoopWatertight {
   struct PreparedRay {
     explicit PreparedRay(const KernelRay<Real>& r)
         : ray(r), kz(largest_axis(r.direction)), kx(next_axis(kz)), ky(next_axis(kx)) {
-      if (r.direction[kz] < 0) std::swap(kx, ky);  // keeps the winding of the projected triangle
       sx = r.direction[kx] / r.direction[kz];
       sy = r.direction[ky] / r.direction[kz];
       sz = 1 / r.direction[kz];

@@ -22,7 +22,6 @@ std::optional<Segment> segment_at(const Solid& solid, const Vector& direction, d
 
 std::optional<Segment> weave(Segment s) {
   if (std::abs(s.in) < distance_tolerance) s.in = 0;
-  if (std::abs(s.out) < distance_tolerance) s.out = 0;
   if (s.in > s.out) return std::nullopt;
   if (std::abs(s.out - s.in) < distance_tolerance) s.out = s.in;
   if (s.out < distance_tolerance) return std::nullopt;

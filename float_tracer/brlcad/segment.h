@@ -16,8 +16,9 @@ struct Segment {
 /// or the exit without the entry, and is dropped.
 std::optional<Segment> segment_at(const Solid& solid, const Vector& direction, double t);
 
-/// What the weaving of segments into partitions leaves of one: ends within 0.0005 of the origin snap to it, nearly
-/// equal ends become equal, and what lies behind the origin is dropped. A plate around the origin is kept, with in < 0.
+/// What the weaving of segments into partitions leaves of one: an `in` within 0.0005 of the origin snaps to it, nearly
+/// equal ends become equal, and what does not reach 0.0005 beyond the origin is dropped. A plate around the origin is
+/// kept, with in < 0. (BRL-CAD snaps `out` as well, but whatever ends there is dropped anyway.)
 std::optional<Segment> weave(Segment segment);
 
 }  // namespace plumbline::brlcad

@@ -29,6 +29,7 @@ TEST(BrlcadWalk, MissesABoxBesideOrBehind) {
   EXPECT_FALSE(enter(box, {3, 0.5, 5}, {0, 0, -1}));
   EXPECT_FALSE(enter(box, {0.5, 0.5, 5}, {0, 0, 1}));
   EXPECT_FALSE(enter(box, {0.5, 0.5, 5}, {1, 0, -1}));
+  EXPECT_FALSE(enter(box, {0.5, 0.5, 1.25}, {0, 0, 1}));  // so near behind that looking back would reach it
 }
 
 TEST(BrlcadWalk, TheFacesOfTheBoxBelongToIt) {

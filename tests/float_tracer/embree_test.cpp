@@ -8,6 +8,8 @@
 #include <xmmintrin.h>
 #endif
 
+#include "case/precision.h"
+#include "case/targets.h"
 #include "tests/float_tracer/shoot.h"
 
 namespace plumbline {
@@ -33,6 +35,25 @@ TEST_P(Embree, GivesTUVAndTheTriangle) {
   EXPECT_NEAR(answer.t, 4, 0x1p-20);
   EXPECT_NEAR(answer.u, 0.25, 0x1p-20);
   EXPECT_NEAR(answer.v, 0.5, 0x1p-20);
+}
+
+// Whether the flag gets there. How often the two differ depends on the instruction set.
+TEST(EmbreeRobust, IsAnotherTracerOnRaysThroughEdgesAndVertices) {
+  int different = 0;
+  for (const double x : {0.0, 1.5})
+    for (const double y : {0.0, 1.5})
+      for (const double z : {0.0, 1.5}) {
+        const Triangle triangle =
+            at_precision({{x, y, z}, {1.5 - x, y, 1.5 - z}, {x, 1.5 - y, 1.5 - z}}, Precision::binary32);
+        std::vector<Ray> rays(aims({}).size());
+        aim_rays(triangle, {}, rays);
+        for (const Ray& ray : rays) {
+          const Ray single = at_precision(ray, Precision::binary32);
+          different += shoot("embree_default", {.triangles = {triangle}}, single).outcome !=
+                       shoot("embree_robust", {.triangles = {triangle}}, single).outcome;
+        }
+      }
+  EXPECT_GT(different, 0);
 }
 
 TEST_P(Embree, ReadsTheRange) {

@@ -166,6 +166,14 @@ TEST(MollerTrumbore, HasNoEpsilon) {
     EXPECT_EQ(shoot(name, {.triangles = {tiny}}, ray).t, 4) << name;
 }
 
+// Direction . normal is exactly 0, and the ray is off the plane; but so far from the world's origin the edges' moments
+// are rounded, and all three sides come out alike.
+TEST(Plucker, RejectsAParallelRayThatPassesItsEdgesOnOneSide) {
+  const Triangle far{{-57388, 17063, 27235}, {-57385, 17067, 27238}, {-57395, 17071, 27240}};
+  const Ray ray{.origin = {-57386, 17066, 27236}, .direction = {-3, -4, -3}};
+  EXPECT_EQ(shoot("plucker_f32", {.triangles = {far}}, ray).outcome, Outcome::miss);
+}
+
 // Seen along z from the origin, edge ab passes the origin at a hair's breadth: with e = 2^-12 its edge function is
 // bx ay - by ax = -(1+e)^2 + (1+2e) = -e^2, which single precision rounds to zero.
 TEST(WoopWatertight, SinglePrecisionLooksAgainInDoubleWhereAnEdgeFunctionIsZero) {
