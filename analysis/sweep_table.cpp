@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string_view>
 
 #include "analysis/text_table.h"
+#include "case/json_object.h"
 
 namespace plumbline {
 namespace {
@@ -18,6 +18,7 @@ struct Counter {
   std::uint64_t (*of)(const Tally&);
 };
 
+// Those of the table and of JSON.
 constexpr std::array<Counter, 9> counters = {{
     {"attempts", [](const Tally& t) { return t.attempts; }},
     {"successes", [](const Tally& t) { return t.successes; }},
@@ -25,9 +26,16 @@ constexpr std::array<Counter, 9> counters = {{
     {"harness_errors", [](const Tally& t) { return t.harness_errors(); }},
     {"false_misses", [](const Tally& t) { return t.false_misses; }},
     {"false_hits", [](const Tally& t) { return t.false_hits; }},
-    {"lucky", [](const Tally& t) { return t.lucky; }},
+    {"lucky", [](const Tally& t) { return t.lucky(); }},
     {"unspecified", [](const Tally& t) { return t.unspecified; }},
     {"faults", [](const Tally& t) { return t.faults; }},
+}};
+
+// What takes successes and failures apart to the last ray; for the figures.
+constexpr std::array<Counter, 3> fine_counters = {{
+    {"lucky_misses", [](const Tally& t) { return t.lucky_misses; }},
+    {"lucky_hits", [](const Tally& t) { return t.lucky_hits; }},
+    {"unlucky_harness_errors", [](const Tally& t) { return t.unlucky_harness_errors; }},
 }};
 
 std::string percent(std::uint64_t part, std::uint64_t whole) {
@@ -147,11 +155,13 @@ std::string to_markdown(const SweepResult& result) {
 std::string to_csv(const SweepResult& result) {
   std::string text = "tracer,offset_x,offset_y,offset_z,standoff,target,tolerance";
   for (const Counter& counter : counters) text += fmt::format(",{}", counter.name);
+  for (const Counter& counter : fine_counters) text += fmt::format(",{}", counter.name);
   text += '\n';
   for (const SweepRow& row : result.rows) {
     text += fmt::format("{},{},{},{},{},{},{}", row.tracer->info().name, row.offset.x, row.offset.y, row.offset.z,
                         row.standoff, name(row.target), row.tolerance ? fmt::format("{}", *row.tolerance) : "");
     for (const Counter& counter : counters) text += fmt::format(",{}", counter.of(row.tally));
+    for (const Counter& counter : fine_counters) text += fmt::format(",{}", counter.of(row.tally));
     text += '\n';
   }
   return text;
@@ -160,14 +170,14 @@ std::string to_csv(const SweepResult& result) {
 std::string to_json_lines(const SweepResult& result) {
   std::string text;
   for (const SweepRow& row : result.rows) {
-    nlohmann::ordered_json object = {{"tracer", row.tracer->info().name},
-                                     {"offset", {row.offset.x, row.offset.y, row.offset.z}},
-                                     {"standoff", row.standoff},
-                                     {"target", name(row.target)},
-                                     {"tolerance", nullptr}};
-    if (row.tolerance) object["tolerance"] = *row.tolerance;
-    for (const Counter& counter : counters) object[std::string(counter.name)] = counter.of(row.tally);
-    text += object.dump() + '\n';
+    JsonObject object(text);
+    object.text("tracer", row.tracer->info().name);
+    object.member("offset") += fmt::format("[{},{},{}]", row.offset.x, row.offset.y, row.offset.z);
+    object.number("standoff", row.standoff);
+    object.text("target", name(row.target));
+    object.number("tolerance", row.tolerance);
+    for (const Counter& counter : counters) object.member(counter.name) += fmt::format("{}", counter.of(row.tally));
+    object.end_line();
   }
   return text;
 }

@@ -13,11 +13,13 @@ std::string to_terminal(const SweepResult& result);
 /// The same in GitHub's dialect.
 std::string to_markdown(const SweepResult& result);
 
-/// Header and a line for each row. Numbers are the shortest decimals that read back the same; no tolerance is empty.
-std::string to_csv(const SweepResult& result);
-
 /// One object a line for each row: tracer, offset [x, y, z], standoff, target, tolerance (null where there is none),
 /// attempts, successes, exact_successes, harness_errors, false_misses, false_hits, lucky, unspecified, faults.
 std::string to_json_lines(const SweepResult& result);
+
+/// Header and a line for each row: the same, with offset_x, offset_y, offset_z for the offset and an empty field for no
+/// tolerance, and then lucky_misses, lucky_hits and unlucky_harness_errors (see Tally). Numbers are the shortest
+/// decimals that read back the same.
+std::string to_csv(const SweepResult& result);
 
 }  // namespace plumbline

@@ -10,7 +10,9 @@ Tally& operator+=(Tally& sum, const Tally& more) {
   sum.exact_successes += more.exact_successes;
   sum.false_misses += more.false_misses;
   sum.false_hits += more.false_hits;
-  sum.lucky += more.lucky;
+  sum.lucky_misses += more.lucky_misses;
+  sum.lucky_hits += more.lucky_hits;
+  sum.unlucky_harness_errors += more.unlucky_harness_errors;
   sum.unspecified += more.unspecified;
   sum.faults += more.faults;
   return sum;
@@ -29,15 +31,17 @@ void count(Tally& tally, Wish wish, std::optional<bool> right_answer, Outcome ou
   const bool wished = wish == Wish::hit;
   const bool answered = outcome == Outcome::hit;
   const bool success = outcome != Outcome::fault && answered == wished;
-  const bool wrong = verdict == VerdictKind::false_miss || verdict == VerdictKind::false_hit;
-  const bool excused = verdict == VerdictKind::correct && right_answer != answered;
+  const bool right = verdict == VerdictKind::correct;
+  const bool false_miss = verdict == VerdictKind::false_miss, false_hit = verdict == VerdictKind::false_hit;
   tally.attempts += 1;
   tally.successes += success;
   tally.exact_successes += right_answer == wished;
-  tally.false_misses += verdict == VerdictKind::false_miss;
-  tally.false_hits += verdict == VerdictKind::false_hit;
-  tally.lucky += wrong && success;
-  tally.unspecified += verdict == VerdictKind::unspecified || excused;
+  tally.false_misses += false_miss;
+  tally.false_hits += false_hit;
+  tally.lucky_misses += false_miss && success;
+  tally.lucky_hits += false_hit && success;
+  tally.unlucky_harness_errors += right && !success && right_answer == answered;
+  tally.unspecified += verdict == VerdictKind::unspecified || (right && right_answer != answered);
   tally.faults += verdict == VerdictKind::fault;
 }
 

@@ -22,10 +22,13 @@ struct Tally {
   std::uint64_t exact_successes = 0;  ///< truth = wish
   std::uint64_t false_misses = 0;     ///< answer against truth
   std::uint64_t false_hits = 0;
-  std::uint64_t lucky = 0;        ///< false misses and false hits with answer = wish
+  std::uint64_t lucky_misses = 0;            ///< false misses with answer = wish
+  std::uint64_t lucky_hits = 0;              ///< false hits with answer = wish
+  std::uint64_t unlucky_harness_errors = 0;  ///< failures of a right answer: answer = truth != wish
   std::uint64_t unspecified = 0;  ///< the contract leaves the answer open, or excuses one that isn't the truth (slack)
   std::uint64_t faults = 0;       ///< no answer
   std::uint64_t harness_errors() const { return attempts - exact_successes; }
+  std::uint64_t lucky() const { return lucky_misses + lucky_hits; }
   friend bool operator==(const Tally&, const Tally&) = default;
 };
 

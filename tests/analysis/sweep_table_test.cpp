@@ -20,9 +20,9 @@ SweepResult result_of(std::vector<double> standoffs) {
   result.triangles = 336;
   for (const double h : standoffs) {
     result.rows.push_back({&find_tracer("exact"), {0, 0.25, 0}, h, TargetKind::vertex_edge, {}, {}});
-    result.rows.back().tally = {2016, 1710 + static_cast<std::uint64_t>(h), 1890, 192, 12, 13, 1, 2};
+    result.rows.back().tally = {2016, 1710 + static_cast<std::uint64_t>(h), 1890, 192, 12, 4, 9, 5, 1, 2};
     result.rows.push_back({&find_tracer("exact"), {0, 0.25, 0}, h, TargetKind::tolerance, 0.00001, {}});
-    result.rows.back().tally = {6048, 5528, 5760, 352, 120, 119, 3, 4};
+    result.rows.back().tally = {6048, 5528, 5760, 352, 120, 9, 110, 6, 3, 4};
   }
   return result;
 }
@@ -46,7 +46,7 @@ TEST(SweepTable, JsonHasTheKeysOfTheContract) {
   EXPECT_EQ(nlohmann::json::parse(lines[1])["target"], "tolerance");
 }
 
-TEST(SweepTable, CsvHoldsTheSameAsJson) {
+TEST(SweepTable, CsvHoldsTheSameAsJsonAndMore) {
   const SweepResult result = result_of({0.25, 10000});
   const auto json = split(to_json_lines(result), '\n'), csv = split(to_csv(result), '\n');
   ASSERT_EQ(csv.size(), json.size() + 1);
@@ -57,6 +57,10 @@ TEST(SweepTable, CsvHoldsTheSameAsJson) {
     object["offset_y"] = object["offset"][1];
     object["offset_z"] = object["offset"][2];
     object.erase("offset");
+    const Tally& tally = result.rows[i].tally;
+    object["lucky_misses"] = tally.lucky_misses;
+    object["lucky_hits"] = tally.lucky_hits;
+    object["unlucky_harness_errors"] = tally.unlucky_harness_errors;
     const auto cells = split(csv[i + 1], ',');
     ASSERT_EQ(cells.size(), columns.size());
     ASSERT_EQ(object.size(), columns.size());

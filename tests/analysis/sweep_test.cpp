@@ -66,7 +66,8 @@ TEST(Sweep, SplitsTheReportsFailures) {
                                          .exact_successes = 1890,
                                          .false_misses = 192,
                                          .false_hits = 12,
-                                         .lucky = 12}));
+                                         .lucky_hits = 12,
+                                         .unlucky_harness_errors = 114}));
   EXPECT_EQ(result.rows[4].tally.false_misses, 352);
   EXPECT_EQ(result.rows[4].tally.false_hits, 120);
 }
@@ -85,7 +86,7 @@ TEST(Sweep, BalancesForEveryTracerAndIsTrueToPrecision) {
   for (const SweepRow& row : sweep(plan).rows) {
     const Tally& t = row.tally;
     if (t.unspecified + t.faults == 0)
-      EXPECT_EQ(t.attempts - t.successes + 2 * t.lucky, t.harness_errors() + t.false_misses + t.false_hits)
+      EXPECT_EQ(t.attempts - t.successes + 2 * t.lucky(), t.harness_errors() + t.false_misses + t.false_hits)
           << row.tracer->info().name;
     const bool binary32 = row.tracer->info().contract.precision == Precision::binary32;
     if (row.target == TargetKind::vertex_edge) EXPECT_EQ(t.exact_successes, binary32 ? 1908 : 1890);

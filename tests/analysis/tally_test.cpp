@@ -18,11 +18,17 @@ TEST(Tally, KeepsWishTruthAndAnswerApart) {
   count(t, Wish::hit, true, Outcome::miss, VerdictKind::false_miss);
   EXPECT_EQ(t, (Tally{.attempts = 2, .successes = 1, .exact_successes = 2, .false_misses = 1}));
   count(t, Wish::hit, false, Outcome::miss, VerdictKind::correct);
-  EXPECT_EQ(t, (Tally{.attempts = 3, .successes = 1, .exact_successes = 2, .false_misses = 1}));
+  EXPECT_EQ(
+      t, (Tally{.attempts = 3, .successes = 1, .exact_successes = 2, .false_misses = 1, .unlucky_harness_errors = 1}));
   EXPECT_EQ(t.harness_errors(), 1);
   count(t, Wish::hit, false, Outcome::hit, VerdictKind::false_hit);
-  EXPECT_EQ(
-      t, (Tally{.attempts = 4, .successes = 2, .exact_successes = 2, .false_misses = 1, .false_hits = 1, .lucky = 1}));
+  EXPECT_EQ(t, (Tally{.attempts = 4,
+                      .successes = 2,
+                      .exact_successes = 2,
+                      .false_misses = 1,
+                      .false_hits = 1,
+                      .lucky_hits = 1,
+                      .unlucky_harness_errors = 1}));
 }
 
 TEST(Tally, CountsWhatHasNoVerdict) {
@@ -43,15 +49,16 @@ TEST(Tally, BalancesWithoutUnspecifiedAndFaults) {
               answered == truth ? VerdictKind::correct
               : answered        ? VerdictKind::false_hit
                                 : VerdictKind::false_miss);
-        EXPECT_EQ(t.attempts - t.successes + 2 * t.lucky, t.harness_errors() + t.false_misses + t.false_hits);
+        EXPECT_EQ(t.attempts - t.successes + 2 * t.lucky(), t.harness_errors() + t.false_misses + t.false_hits);
+        EXPECT_EQ(t.unlucky_harness_errors, t.harness_errors() - t.lucky());
       }
 }
 
 TEST(Tally, MergesByAdding) {
-  const Tally one = {1, 2, 3, 4, 5, 6, 7, 8};
+  const Tally one = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
   Tally sum = one;
   sum += one;
-  EXPECT_EQ(sum, (Tally{2, 4, 6, 8, 10, 12, 14, 16}));
+  EXPECT_EQ(sum, (Tally{2, 4, 6, 8, 10, 12, 14, 16, 18, 20}));
 }
 
 TEST(Tally, TakesTheContractsSideOfTheTruth) {
