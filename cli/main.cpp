@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <new>
 
+#include "case/nearest_name.h"
 #include "cli/output.h"
 #include "cli/verb.h"
 
@@ -15,6 +16,13 @@ constexpr int agree = 0, disagree = 1, trouble = 2;
 int report(std::string_view message) {
   fmt::print(stderr, "plumbline: {}\n", message);
   return trouble;
+}
+
+std::string unknown_verb(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> verbs;
+  for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
+  const std::vector<std::string_view> names(verbs.begin(), verbs.end());
+  return fmt::format("unknown verb '{}'; {}", word, plumbline::suggest(word, names));
 }
 
 int run(int argc, char** argv) {
@@ -46,6 +54,9 @@ int run(int argc, char** argv) {
     output.finish();
   } catch (const CLI::ParseError& error) {
     const auto verbs = app.get_subcommands();
+    const auto rest = app.remaining();
+    if (verbs.empty() && !rest.empty() && !rest.front().starts_with('-'))
+      return report(unknown_verb(app, rest.front()));
     return report(fmt::format("{}; see 'plumbline {}--help'", error.what(),
                               verbs.empty() ? "" : verbs.front()->get_name() + " "));
   }

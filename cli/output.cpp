@@ -81,7 +81,7 @@ void Output::finish() {
 }
 
 void Output::fail(const char* what, int error) const {
-  throw InputError(fmt::format("{} {}: {}", path_ == "-" ? "standard output" : path_, what, std::strerror(error)));
+  throw InputError(fmt::format("{}: {}: {}", path_ == "-" ? "standard output" : path_, what, std::strerror(error)));
 }
 
 }  // namespace plumbline

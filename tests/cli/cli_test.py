@@ -1,0 +1,329 @@
+"""The command line as a user meets it: output, exit codes, and one clear line for every kind of trouble.
+
+PLUMBLINE names the program under test, PLUMBLINE_CORPUS the folder corpus/."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["PLUMBLINE"]
+CORPUS = pathlib.Path(os.environ["PLUMBLINE_CORPUS"])
+
+UNIT = '"triangle":[[0,0,0],[1,0,0],[0,1,0]]'
+DOWN = '"direction":[0,0,-1]'
+
+
+def question(identity, origin, more=""):
+    return f'{{"id":{identity},{UNIT},"origin":{origin},{DOWN}{more}}}\n'
+
+
+def run(*arguments, text="", **options):
+    return subprocess.run([PROGRAM, *map(str, arguments)], input=text, capture_output=True, encoding="utf-8",
+                          timeout=60, **options)
+
+
+class CliTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def write(self, name, text):
+        path = self.folder / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    def assert_trouble(self, result, *parts):
+        """Exit code 2 and one line on stderr that holds all parts."""
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertRegex(result.stderr, r"\Aplumbline: [^\n]*\n\Z")
+        for part in parts:
+            self.assertIn(part, result.stderr)
+
+
+class Classify(CliTest):
+    def classify(self, text, *options):
+        result = run("classify", *options, "-", text=text)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return result.stdout
+
+    def test_golden(self):
+        self.assertEqual(
+            self.classify(question(1, "[0.25,0.25,1]") + question('"e"', "[0.5,0,3]") + question("null", "[0,1,-1]") +
+                          question("true", "[2,2,1]")),
+            '{"id":1,"class":"interior","feature":null,"hit":true,"t":1,"u":0.25,"v":0.25,"t_exact":"1/1"}\n'
+            '{"id":"e","class":"edge","feature":"ab","hit":true,"t":3,"u":0.5,"v":0,"t_exact":"3/1"}\n'
+            '{"id":null,"class":"vertex","feature":"c","hit":false,"t":-1,"u":0,"v":1,"t_exact":"-1/1"}\n'
+            '{"id":true,"class":"exterior","feature":null,"hit":false,"t":1,"u":2,"v":2,"t_exact":"1/1"}\n')
+
+    def test_flat(self):
+        across = '"direction":[1,0,0]'
+        lines = self.classify(f'{{{UNIT},"origin":[-1,0.25,0],{across}}}\n{{{UNIT},"origin":[-1,2,0],{across}}}\n'
+                              f'{{{UNIT},"origin":[-1,0,1],{across}}}\n'
+                              f'{{"triangle":[[0,0,0],[1,1,1],[2,2,2]],"origin":[1,1,5],{DOWN}}}\n')
+        nothing = {"id": None, "feature": None, "t": None, "u": None, "v": None, "t_exact": None}
+        self.assertEqual([json.loads(line) for line in lines.splitlines()],
+                         [nothing | {"class": "coplanar", "hit": None}, nothing | {"class": "coplanar", "hit": False},
+                          nothing | {"class": "parallel", "hit": False}, nothing | {"class": "degenerate", "hit": None}])
+
+    def test_invalid_goes_on(self):
+        lines = self.classify(question(1, '["nan",0,1]') + question(2, "[1e999,0,1]") +
+                              f'{{"id":3,{UNIT},"origin":[0,0,1],"direction":[0,0,0]}}\n' + question(4, "[0,0,1]"))
+        answers = [json.loads(line) for line in lines.splitlines()]
+        self.assertEqual([a["class"] for a in answers], ["invalid", "invalid", "invalid", "vertex"])
+        self.assertEqual([a.get("reason") for a in answers],
+                         ["origin is not finite", "origin is not finite", "direction is zero", None])
+        self.assertIsNone(answers[0]["hit"])
+        self.assertNotIn("reason", answers[3])
+
+    def test_range_ends_belong_to_it(self):
+        lines = self.classify(question(1, "[0.25,0.25,1]", ',"t_min":1,"t_max":1') +
+                              question(2, "[0.25,0.25,1]", ',"t_max":"0x1.fffffffffffffp-1"') +
+                              question(3, "[0.25,0.25,-1]") + question(4, "[0.25,0.25,-1]", ',"t_min":"-inf"'))
+        self.assertEqual([json.loads(line)["hit"] for line in lines.splitlines()], [True, False, False, True])
+
+    def test_beyond_binary64_is_null(self):
+        line = json.loads(self.classify(f'{{{UNIT},"origin":[0.25,0.25,1e300],"direction":[0,0,-1e-300]}}\n'))
+        self.assertIsNone(line["t"])
+        self.assertEqual((line["class"], line["hit"], line["u"]), ("interior", True, 0.25))
+
+    def test_without_t_exact(self):
+        self.assertNotIn("t_exact", self.classify(question(1, "[0,0,1]"), "--no-t-exact"))
+
+    def test_nothing_in_nothing_out(self):
+        self.assertEqual(self.classify(""), "")
+
+    def test_answers_line_by_line(self):
+        with subprocess.Popen([PROGRAM, "classify", "-"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                              encoding="utf-8") as process:
+            for identity in (1, 2):
+                process.stdin.write(question(identity, "[0,0,1]"))
+                process.stdin.flush()
+                self.assertEqual(json.loads(process.stdout.readline())["id"], identity)
+
+    def test_trouble(self):
+        good = question(1, "[0,0,1]")
+        for text, *parts in [
+            (good + '{"id":2,"tri', ":2:", "malformed JSON"),
+            (good + good.replace("origin", "orgin"), "<stdin>:2:46: unknown key 'orgin'; did you mean 'origin'?"),
+            (good + "\n[]\n", "<stdin>:3:1: not a JSON object"),
+            ('{"origin":[0,0,0],"direction":[0,0,1]}', "no triangle"),
+            (question(1, '["one",0,1]'), ":1:56:", "'origin'", '"one"'),
+            (f'{{"triangles":[{UNIT[11:]},{UNIT[11:]}],"origin":[0,0,1],{DOWN}}}', ":1:1: 2 triangles"),
+            (question(1, "[0.1,0,1]", ',"precision":"binary32"'), "0.1 is no binary32 number"),
+        ]:
+            with self.subTest(text=text):
+                self.assert_trouble(run("classify", "-", text=text), *parts)
+
+    def test_what_precedes_trouble_is_answered(self):
+        result = run("classify", "-", text=question(1, "[0,0,1]") + "}")
+        self.assertEqual(result.stdout.count("\n"), 1)
+
+
+class Trace(CliTest):
+    def test_exact(self):
+        result = run("trace", "--tracer", "exact", "-", text=question(1, "[0.25,0.5,2]") + question(2, "[2,2,2]"))
+        self.assertEqual(
+            result.stdout,
+            '{"id":1,"tracer":"exact","hit":true,"t":2,"u":0.25,"v":0.5,"in":null,"out":null}\n'
+            '{"id":2,"tracer":"exact","hit":false,"t":null,"u":null,"v":null,"in":null,"out":null}\n')
+        self.assertEqual(result.returncode, 0)
+
+    def test_segments(self):
+        plate = ',"mode":"plate","thickness":0.5,"position":"centred","cosine":true,"orientation":"none"'
+        result = run("trace", "--tracer", "brlcad_bot_classic", "-", text=question(1, "[0.25,0.25,2]", plate))
+        self.assertEqual({k: v for k, v in json.loads(result.stdout).items() if k in ("hit", "in", "out")},
+                         {"hit": True, "in": 1.75, "out": 2.25})
+
+    def test_merged_is_what_judge_reads(self):
+        result = run("trace", "--merged", "--tracer", "moller_trumbore_f32", "-", text=question(1, "[0.1,0.1,2]"))
+        merged = json.loads(result.stdout)
+        self.assertEqual((merged["triangle"], merged["origin"]), ([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [0.1, 0.1, 2]))
+        judged = run("judge", "-", text=result.stdout)
+        self.assertEqual((judged.returncode, json.loads(judged.stdout)["verdict"]), (0, "correct"))
+
+    def test_trouble(self):
+        self.assert_trouble(run("trace", "--tracer", "mueller_trumbore", "-"), "unknown tracer 'mueller_trumbore'", "exact")
+        self.assert_trouble(run("trace", "-"), "--tracer is required", "plumbline trace --help")
+
+
+class Judge(CliTest):
+    def judge(self, *answers, tracer=None):
+        text = "".join(question(i, "[0.25,0.25,1]", "," + a) for i, a in enumerate(answers))
+        return run("judge", *(["--tracer", tracer] if tracer else []), "-", text=text)
+
+    def test_agreement(self):
+        result = self.judge('"hit":true,"t":1', '"hit":null')
+        self.assertEqual(result.returncode, 0)
+        self.assertEqual(
+            result.stdout.splitlines()[0],
+            '{"id":0,"verdict":"correct","class":"interior","feature":null,"hit":true,"severity":null,'
+            '"severity_ulps":null,"condition":null}')
+        self.assertEqual(json.loads(result.stdout.splitlines()[1])["verdict"], "fault")
+        self.assertEqual(result.stderr, "2 answers: 1 correct, 0 false-miss, 0 false-hit, 0 unspecified, 1 fault\n")
+
+    def test_disagreement(self):
+        result = self.judge('"hit":false')
+        self.assertEqual(result.returncode, 1)
+        line = json.loads(result.stdout)
+        self.assertEqual((line["verdict"], line["severity"], line["condition"]), ("false-miss", 0.25, "nominal"))
+        self.assertEqual(line["severity_ulps"], 0.25 * 2**52)
+
+    def test_contract(self):
+        behind = ',"t_min":2,"hit":true'
+        for more, tracer, code in [
+            (behind, None, 1),
+            (behind, "brlcad_bot_classic", 0),  # reads no t_min
+            (behind + ',"tracer":"brlcad_bot_classic"', None, 0),
+            (behind + ',"tracer":"brlcad_bot_classic"', "exact", 1),
+            (behind + ',"tracer":"unheard_of"', None, 1),
+        ]:
+            with self.subTest(more=more, tracer=tracer):
+                self.assertEqual(self.judge(more[1:], tracer=tracer).returncode, code)
+
+    def test_trouble(self):
+        self.assert_trouble(run("judge", "-"), "nothing to judge")
+        self.assert_trouble(run("judge", "-", text="\n\n"), "nothing to judge")
+        self.assert_trouble(run("judge", "-", text=question(1, "[0,0,1]")), "<stdin>:1:1: no answer to judge")
+        self.assert_trouble(self.judge('"hit":true', '"hit":1'), "<stdin>:2:", "true or false")
+        self.assert_trouble(self.judge('"hit":true', tracer="nobody"), "unknown tracer 'nobody'")
+
+
+class Replay(CliTest):
+    CASE = "case x\ntriangle 0 0 0  1 0 0  0 1 0\nray 0.25 0.25 1  0 0 -1\n"
+
+    def replay(self, text, *options):
+        return run("replay", *options, self.write("x.case", text))
+
+    def test_corpus(self):
+        result = run("replay", CORPUS / "hard")
+        self.assertEqual((result.returncode, result.stdout), (0, ""))
+        self.assertRegex(result.stderr, r"\A\d+ cases in \d+ files, .* 0 not as the files say, \d+ known findings")
+
+    def test_agreement(self):
+        result = self.replay(self.CASE + "expect interior hit t 1 u 0.25 v 0.25\n")
+        self.assertEqual((result.returncode, result.stdout), (0, ""))
+
+    def test_expectation_that_is_not_the_truth(self):
+        result = self.replay(self.CASE + "expect vertex a miss t 2\n", "--tracer", "exact")
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual([line.split(": ", 1)[1] for line in result.stdout.splitlines()],
+                         ["x: expected class vertex, it is interior", "x: expected feature a, it is none",
+                          "x: expected answer miss, it is hit", "x: expected t 0x1p+1, it is 0x1p+0"])
+
+    def test_new_and_gone_findings(self):
+        hard = (CORPUS / "hard" / "brlcad.case").read_text()
+        self.assertEqual(self.replay(hard, "--tracer", "brlcad_bot_hlbvh").returncode, 0)
+        unlisted = self.replay(hard.replace("known brlcad_bot_hlbvh false-miss\n", ""), "--tracer", "brlcad_bot_hlbvh")
+        self.assertEqual(unlisted.returncode, 1)
+        self.assertIn("hlbvh-upper-face: brlcad_bot_hlbvh: new false-miss", unlisted.stdout)
+        gone = self.replay(self.CASE + "known exact false-miss\n")
+        self.assertEqual(gone.returncode, 1)
+        self.assertIn("x: exact: known as false-miss, it is now correct; remove the line 'known'", gone.stdout)
+
+    def test_folders_are_searched_to_the_bottom(self):
+        (self.folder / "deep").mkdir()
+        self.write("deep/a.case", self.CASE)
+        self.write("b.case", self.CASE)
+        self.write("c.txt", "no case")
+        self.assertRegex(run("replay", self.folder, "--tracer", "exact", "--tracer", "plucker_f64").stderr,
+                         r"\A2 cases in 2 files, 4 answers")
+
+    def test_trouble(self):
+        self.assert_trouble(self.replay(self.CASE.replace("0.25", "nan")), "x.case:3:5: a NaN")
+        self.assert_trouble(self.replay(self.CASE.replace("ray", "rya")), "x.case:3:1: unknown key 'rya'; did you mean 'ray'?")
+        self.assert_trouble(self.replay(self.CASE + "triangle 0 0 0 1 0 0 0 0 1"), "case 'x' has 2 triangles")
+        self.assert_trouble(self.replay(""), "no case in this file")
+        self.assert_trouble(run("replay", self.folder / "none"), "none: cannot be opened: No such file")
+        (self.folder / "empty").mkdir()
+        self.assert_trouble(run("replay", self.folder / "empty"), "no *.case file")
+        self.assert_trouble(self.replay(self.CASE, "--tracer", "nobody"), "unknown tracer 'nobody'")
+        self.assert_trouble(run("replay"), "PATH is required")
+
+
+class Explain(CliTest):
+    def test_command_line(self):
+        result = run("explain", "--triangle", *"0 0 0 1.5 0 0 0 1.5 0".split(), "--ray", *"0.75 0.75 5 0 0 -0x1p0".split(),
+                     "--range", "-inf", "inf", "--tracer", "exact")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        for part in ("-9 * 2^-2", "edge bc", "(-inf, inf)", "verdict    correct"):
+            self.assertIn(part, result.stdout)
+
+    def test_file(self):
+        path = CORPUS / "hard" / "brlcad.case"
+        everything = run("explain", path).stdout
+        self.assertIn("case entry-nudge-interior", everything)
+        one = run("explain", path, "--id", "hlbvh-upper-face", "--tracer", "brlcad_bot_hlbvh").stdout
+        self.assertNotIn("entry-nudge", one)
+        self.assertIn("verdict    false-miss", one)
+
+    def test_trouble(self):
+        self.assert_trouble(run("explain"), "--triangle and --ray")
+        self.assert_trouble(run("explain", "--triangle", *"000000000"), "--triangle requires --ray")
+        self.assert_trouble(run("explain", "--triangle", "1", "2"), "--triangle: At least 9")
+        self.assert_trouble(run("explain", "--triangle", *"00010001x", "--ray", *"001001"), "--triangle: 'x' is no number")
+        self.assert_trouble(run("explain", CORPUS / "hard" / "brlcad.case", "--id", "nix"), "no case 'nix'")
+
+
+class Tracers(CliTest):
+    def test_table_and_json(self):
+        names = [json.loads(line)["tracer"] for line in run("tracers", "--json").stdout.splitlines()]
+        self.assertEqual(names[-1], "exact")
+        table = run("tracers").stdout
+        for name in names:
+            self.assertIn(name, table)
+
+
+class Everywhere(CliTest):
+    VERBS = ("sweep", "classify", "trace", "judge", "replay", "explain", "tracers")
+
+    def test_help_and_version(self):
+        self.assertRegex(run("--version").stdout, r"\Aplumbline \d+\.\d+\.\d+\n\Z")
+        for verb in self.VERBS:
+            result = run(verb, "--help")
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            self.assertRegex(result.stdout, rf"(?s)\n  -h,--help .*plumbline {verb}\b")  # an example
+            self.assertIn(verb, run("--help").stdout)
+
+    def test_wrong_command_line(self):
+        self.assert_trouble(run(), "subcommand is required")
+        self.assert_trouble(run("clasify", "-"), "unknown verb 'clasify'; did you mean 'classify'?")
+        self.assert_trouble(run("classify", "--bogus", "-"), "--bogus")
+        self.assert_trouble(run("classify", "no.ndjson"), "no.ndjson: cannot be opened: No such file or directory")
+        self.assert_trouble(run("classify", self.folder), "Is a directory")
+
+    def test_output_file_appears_whole(self):
+        path = self.folder / "out.ndjson"
+        self.assertEqual(run("classify", "-", "-o", path, text=question(1, "[0,0,1]")).returncode, 0)
+        whole = path.read_text()
+        self.assertEqual(whole.count("\n"), 1)
+        self.assert_trouble(run("classify", "-", "-o", path, text=question(1, "[1,0,1]") + "}"))
+        self.assertEqual(path.read_text(), whole)
+        self.assertEqual(os.listdir(self.folder), ["out.ndjson"])
+
+    def test_output_trouble(self):
+        text = question(1, "[0,0,1]")
+        self.assert_trouble(run("classify", "-", "-o", self.folder / "no" / "out", text=text), "No such file or directory")
+        self.assert_trouble(run("classify", "-", "-o", self.folder, text=text), "Is a directory")
+        self.assert_trouble(run("classify", "-", "-o", "/dev/full", text=text), "/dev/full: cannot be written: No space left")
+        for arguments in (["classify", "-"], ["tracers"], ["--help"], ["sweep", "--tracer", "exact", "--json"]):
+            with self.subTest(arguments), open("/dev/full", "w", encoding="utf-8") as full:
+                result = subprocess.run([PROGRAM, *arguments], input=text, stdout=full, stderr=subprocess.PIPE,
+                                        encoding="utf-8", timeout=60)
+                self.assert_trouble(result, "standard output: cannot be written: No space left")
+
+    def test_closed_pipe(self):
+        path = self.write("many.ndjson", question(1, "[0,0,1]") * 5000)
+        with subprocess.Popen([PROGRAM, "classify", str(path)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              encoding="utf-8") as process:
+            process.stdout.readline()
+            process.stdout.close()
+            error = process.stderr.read()
+            self.assertEqual(process.wait(timeout=60), 2)
+        self.assertEqual(error, "plumbline: standard output: cannot be written: Broken pipe\n")
+
+
+if __name__ == "__main__":
+    unittest.main()
