@@ -1,4 +1,4 @@
-// Cases and answers as NDJSON: one JSON object a line, for pipes. README.md lists the keys.
+// Cases and answers as NDJSON: one JSON object a line, for pipes. The keys: `plumbline classify --help`.
 //
 // Reading: a number is a JSON number, or a string with a hexfloat, "inf", "-inf" or "nan". A coordinate or bound that
 // is not finite (1e999 is infinite) is data: the oracle calls such a case invalid. All else that is wrong throws

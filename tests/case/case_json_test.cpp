@@ -164,7 +164,7 @@ TEST(CaseJson, AnyTextSurvives) {
   EXPECT_EQ(lines_of(text)[0].asked, made);
 }
 
-TEST(CaseJson, WritesWhatReadmePromises) {
+TEST(CaseJson, WritesOneLine) {
   Case made = lines_of("{" + question + "}")[0].asked;
   made.id = "x";
   std::string text;
