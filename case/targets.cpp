@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "case/input_error.h"
 
@@ -54,7 +56,7 @@ void check(const Aiming& aiming) {
 std::vector<Aim> aims(const Aiming& aiming) {
   std::vector<Aim> list;
   const auto add = [&](std::size_t count, TargetKind target, std::optional<double> tolerance, Wish wish) {
-    list.insert(list.end(), count, {target, tolerance, aiming.standoff, wish});
+    std::fill_n(std::back_inserter(list), count, Aim{target, tolerance, aiming.standoff, wish});
   };
   add(4, TargetKind::interior, {}, Wish::hit);
   add(6, TargetKind::vertex_edge, {}, Wish::hit);
