@@ -66,7 +66,8 @@ class Classify(CliTest):
         nothing = {"id": None, "feature": None, "t": None, "u": None, "v": None, "t_exact": None}
         self.assertEqual([json.loads(line) for line in lines.splitlines()],
                          [nothing | {"class": "coplanar", "hit": None}, nothing | {"class": "coplanar", "hit": False},
-                          nothing | {"class": "parallel", "hit": False}, nothing | {"class": "degenerate", "hit": None}])
+                          nothing | {"class": "parallel", "hit": False},
+                          nothing | {"class": "degenerate", "hit": None}])
 
     def test_invalid_goes_on(self):
         lines = self.classify(question(1, '["nan",0,1]') + question(2, "[1e999,0,1]") +
@@ -145,7 +146,8 @@ class Trace(CliTest):
         self.assertEqual((judged.returncode, json.loads(judged.stdout)["verdict"]), (0, "correct"))
 
     def test_trouble(self):
-        self.assert_trouble(run("trace", "--tracer", "mueller_trumbore", "-"), "unknown tracer 'mueller_trumbore'", "exact")
+        self.assert_trouble(run("trace", "--tracer", "mueller_trumbore", "-"),
+                            "unknown tracer 'mueller_trumbore'", "exact")
         self.assert_trouble(run("trace", "-"), "--tracer is required", "plumbline trace --help")
 
 
@@ -233,7 +235,8 @@ class Replay(CliTest):
 
     def test_trouble(self):
         self.assert_trouble(self.replay(self.CASE.replace("0.25", "nan")), "x.case:3:5: a NaN")
-        self.assert_trouble(self.replay(self.CASE.replace("ray", "rya")), "x.case:3:1: unknown key 'rya'; did you mean 'ray'?")
+        self.assert_trouble(self.replay(self.CASE.replace("ray", "rya")),
+                            "x.case:3:1: unknown key 'rya'; did you mean 'ray'?")
         self.assert_trouble(self.replay(self.CASE + "triangle 0 0 0 1 0 0 0 0 1"), "case 'x' has 2 triangles")
         self.assert_trouble(self.replay(""), "no case in this file")
         self.assert_trouble(run("replay", self.folder / "none"), "none: cannot be opened: No such file")
@@ -245,8 +248,8 @@ class Replay(CliTest):
 
 class Explain(CliTest):
     def test_command_line(self):
-        result = run("explain", "--triangle", *"0 0 0 1.5 0 0 0 1.5 0".split(), "--ray", *"0.75 0.75 5 0 0 -0x1p0".split(),
-                     "--range", "-inf", "inf", "--tracer", "exact")
+        result = run("explain", "--triangle", *"0 0 0 1.5 0 0 0 1.5 0".split(),
+                     "--ray", *"0.75 0.75 5 0 0 -0x1p0".split(), "--range", "-inf", "inf", "--tracer", "exact")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         for part in ("-9 * 2^-2", "edge bc", "(-inf, inf)", "verdict    correct"):
             self.assertIn(part, result.stdout)
@@ -263,7 +266,8 @@ class Explain(CliTest):
         self.assert_trouble(run("explain"), "--triangle and --ray")
         self.assert_trouble(run("explain", "--triangle", *"000000000"), "--triangle requires --ray")
         self.assert_trouble(run("explain", "--triangle", "1", "2"), "--triangle: At least 9")
-        self.assert_trouble(run("explain", "--triangle", *"00010001x", "--ray", *"001001"), "--triangle: 'x' is no number")
+        self.assert_trouble(run("explain", "--triangle", *"00010001x", "--ray", *"001001"),
+                            "--triangle: 'x' is no number")
         self.assert_trouble(run("explain", CORPUS / "hard" / "brlcad.case", "--id", "nix"), "no case 'nix'")
 
 
@@ -305,9 +309,11 @@ class Everywhere(CliTest):
 
     def test_output_trouble(self):
         text = question(1, "[0,0,1]")
-        self.assert_trouble(run("classify", "-", "-o", self.folder / "no" / "out", text=text), "No such file or directory")
+        self.assert_trouble(run("classify", "-", "-o", self.folder / "no" / "out", text=text),
+                            "No such file or directory")
         self.assert_trouble(run("classify", "-", "-o", self.folder, text=text), "Is a directory")
-        self.assert_trouble(run("classify", "-", "-o", "/dev/full", text=text), "/dev/full: cannot be written: No space left")
+        self.assert_trouble(run("classify", "-", "-o", "/dev/full", text=text),
+                            "/dev/full: cannot be written: No space left")
         for arguments in (["classify", "-"], ["tracers"], ["--help"], ["sweep", "--tracer", "exact", "--json"]):
             with self.subTest(arguments), open("/dev/full", "w", encoding="utf-8") as full:
                 result = subprocess.run([PROGRAM, *arguments], input=text, stdout=full, stderr=subprocess.PIPE,
