@@ -19,7 +19,7 @@ class PreparedExact final : public PreparedBag {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       Answer nearest;
       for (std::uint32_t k = 0; k < triangles_.size(); ++k) {
-        if (!hit(classify(triangles_[k], rays[i])).value_or(false)) continue;
+        if (!crosses(classify(triangles_[k], rays[i]))) continue;
         const auto at = measure<double>(triangles_[k], rays[i]);
         if (nearest.outcome == Outcome::hit && !(at->t < nearest.t)) continue;
         nearest = {.outcome = Outcome::hit, .has_t = true, .has_uv = true, .triangle = k, .t = at->t, .u = at->u, .v = at->v};

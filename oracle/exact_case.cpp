@@ -8,8 +8,6 @@
 namespace plumbline::exact {
 namespace {
 
-bool all_finite(const Vec3& v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.z); }
-
 const Quotient& lesser(const Quotient& x, const Quotient& y) { return y < x ? y : x; }
 const Quotient& greater(const Quotient& x, const Quotient& y) { return x < y ? y : x; }
 
@@ -64,16 +62,6 @@ std::optional<Interval> degenerate_contact(const ExactCase& x) {
 }
 
 }  // namespace
-
-Invalid why_invalid(const Triangle& triangle, const Ray& ray) {
-  if (!all_finite(triangle.a) || !all_finite(triangle.b) || !all_finite(triangle.c)) return Invalid::triangle_not_finite;
-  if (!all_finite(ray.origin)) return Invalid::origin_not_finite;
-  if (!all_finite(ray.direction)) return Invalid::direction_not_finite;
-  const Vec3& d = ray.direction;
-  if (plumbline::is_zero(d.x) && plumbline::is_zero(d.y) && plumbline::is_zero(d.z)) return Invalid::zero_direction;
-  if (is_nan(ray.t_min) || is_nan(ray.t_max)) return Invalid::range_nan;
-  return Invalid::none;
-}
 
 ExactCase::ExactCase(const Triangle& triangle, const Ray& ray)
     : origin(to_exact(ray.origin)),

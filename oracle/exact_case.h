@@ -4,13 +4,8 @@
 
 #include "case/geometry.h"
 #include "oracle/dyadic.h"
-#include "oracle/truth.h"
 
 namespace plumbline::exact {
-
-/// Why a case has no geometry, if it has none. Looks at bits only. A NaN bound of the t range counts, an infinite one
-/// does not.
-Invalid why_invalid(const Triangle& triangle, const Ray& ray);
 
 /// With a = A-O, h = D x a: det = D.N, T = a.N, t = T/det, w_AB = e1.h, w_CA = -(e2.h), w_BC = det - w_CA - w_AB,
 /// u = w_CA/det, v = w_AB/det.

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "oracle/classify.h"
+#include "oracle/contact.h"
 #include "oracle/exact_case.h"
 #include "oracle/judge.h"
 #include "oracle/round.h"
@@ -77,11 +78,13 @@ std::string where(const Truth& truth) {
   return "";
 }
 
-std::string versus_range(const Truth& truth) {
-  if (truth.versus_t_min < 0) return "t < t_min: before the range";
-  if (truth.versus_t_max > 0) return "t > t_max: behind the range";
-  if (truth.versus_t_min == 0) return "t = t_min: the range's closed start";
-  if (truth.versus_t_max == 0) return "t = t_max: the range's closed end";
+std::string versus_range(const Quotient& t, const Ray& ray) {
+  const auto searched = range(ray);
+  if (!searched) return "the range holds no t";
+  if (searched->low && t < *searched->low) return "t < t_min: before the range";
+  if (searched->high && t > *searched->high) return "t > t_max: behind the range";
+  if (searched->low && t == *searched->low) return "t = t_min: the range's closed start";
+  if (searched->high && t == *searched->high) return "t = t_max: the range's closed end";
   return "t_min < t < t_max";
 }
 
@@ -136,13 +139,13 @@ std::string explain(const Triangle& triangle, const Ray& ray) {
   lines.add("class", "{}: {}", name(truth.hit_class), where(truth));
   if (x.det.sign() != 0) {
     add_coordinate(lines, "t = T/det", x.t());
-    lines.add("", "{}", versus_range(truth));
+    lines.add("", "{}", versus_range(x.t(), ray));
     add_coordinate(lines, "u", x.u());
     add_coordinate(lines, "v", x.v());
   } else if (truth.hit_class != HitClass::parallel) {
     add_contact(lines, x, ray);
   }
-  const auto is_hit = hit(truth);
+  const auto is_hit = hit(triangle, ray, truth);
   lines.add("hit", "{}", !is_hit ? "open: contact without a crossing" : *is_hit ? "yes" : "no");
   return lines.take();
 }
@@ -154,7 +157,7 @@ std::string explain_verdict(const Triangle& triangle, const Ray& ray, const Answ
   constexpr std::string_view duties[] = {"must hit", "must miss", "may do either"};
   lines.add("contract", "{} inputs, edges {}, t range {} ({} at its start, {} at its end)", name(contract.precision),
             name(contract.edges), name(contract.range), name(contract.t_min), name(contract.t_max));
-  lines.add("asks", "{}", duties[static_cast<unsigned>(duty(truth, contract))]);
+  lines.add("asks", "{}", duties[static_cast<unsigned>(duty(triangle, ray, truth, contract))]);
   constexpr std::string_view outcomes[] = {"miss", "hit", "fault"};
   lines.add("answer", "{}", outcomes[static_cast<unsigned>(answer.outcome)]);
   if (answer.has_t) lines.add("", "t {}", number(answer.t));

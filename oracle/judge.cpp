@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "oracle/contact.h"
 #include "oracle/severity.h"
 
 namespace plumbline {
@@ -57,18 +58,19 @@ Ray searched_ray(const Ray& ray, const Contract& contract) {
   return r;
 }
 
-Duty duty(const Truth& truth, const Contract& contract) {
+Duty duty(const Triangle& triangle, const Ray& ray, const Truth& truth, const Contract& contract) {
+  const auto touched = [&](Duty rule) { return touches(triangle, searched_ray(ray, contract)) ? rule : Duty::miss; };
   switch (truth.hit_class) {
     case HitClass::invalid: return Duty::any;
     case HitClass::exterior:
     case HitClass::parallel: return Duty::miss;
-    case HitClass::coplanar: return truth.touches ? duty(contract.coplanar) : Duty::miss;
-    case HitClass::degenerate: return truth.touches ? duty(contract.degenerate) : Duty::miss;
+    case HitClass::coplanar: return touched(duty(contract.coplanar));
+    case HitClass::degenerate: return touched(duty(contract.degenerate));
     case HitClass::interior:
     case HitClass::edge:
     case HitClass::vertex: break;
   }
-  if (!in_range(truth) || culled(truth, contract)) return Duty::miss;
+  if (!crosses(truth) || culled(truth, contract)) return Duty::miss;
   Duty r = truth.hit_class == HitClass::interior ? Duty::hit : on_boundary(contract.edges);
   if (truth.versus_t_min == 0) r = both(r, at_end(contract.t_min));
   if (truth.versus_t_max == 0) r = both(r, at_end(contract.t_max));
@@ -79,7 +81,7 @@ VerdictKind judge(const Triangle& triangle, const Ray& ray, const Truth& truth, 
                   const Contract& contract) {
   if (answer.outcome == Outcome::fault) return VerdictKind::fault;
   const bool answered_hit = answer.outcome == Outcome::hit;
-  switch (duty(truth, contract)) {
+  switch (duty(triangle, ray, truth, contract)) {
     case Duty::any: return VerdictKind::unspecified;
     case Duty::hit: return answered_hit ? VerdictKind::correct : VerdictKind::false_miss;
     case Duty::miss: break;

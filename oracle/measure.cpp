@@ -1,13 +1,14 @@
 #include "oracle/measure.h"
 
 #include "oracle/exact_case.h"
+#include "oracle/invalid.h"
 #include "oracle/round.h"
 
 namespace plumbline {
 namespace {
 
 std::optional<exact::ExactCase> crossing(const Triangle& triangle, const Ray& ray) {
-  if (exact::why_invalid(triangle, ray) != Invalid::none) return std::nullopt;
+  if (why_invalid(triangle, ray) != Invalid::none) return std::nullopt;
   exact::ExactCase x(triangle, ray);
   if (x.det.sign() == 0) return std::nullopt;
   return x;

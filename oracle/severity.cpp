@@ -5,6 +5,7 @@
 
 #include "case/float_bits.h"
 #include "oracle/exact_case.h"
+#include "oracle/invalid.h"
 #include "oracle/round.h"
 
 namespace plumbline {

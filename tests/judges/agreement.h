@@ -7,6 +7,7 @@
 
 #include "case/geometry.h"
 #include "oracle/classify.h"
+#include "oracle/contact.h"
 #include "oracle/explain.h"
 #include "tests/judges/integer_judge.h"
 
@@ -14,10 +15,17 @@ namespace plumbline {
 
 inline void PrintTo(const Truth& t, std::ostream* out) {
   *out << name(t.hit_class) << ' ' << name(t.feature) << " det " << int{t.det_sign} << " t_min " << int{t.versus_t_min}
-       << " t_max " << int{t.versus_t_max} << " touches " << t.touches << " invalid " << static_cast<int>(t.invalid);
+       << " t_max " << int{t.versus_t_max} << " invalid " << static_cast<int>(t.invalid);
 }
 
 namespace judges {
+
+/// Class and signs, and contact where the class leaves it open. For use with ASSERT_NO_FATAL_FAILURE.
+inline void expect_agreement(const Triangle& triangle, const Ray& ray, const Truth& truth, const Judged& judged) {
+  ASSERT_EQ(truth, judged.truth) << explain(triangle, ray);
+  if (truth.hit_class != HitClass::coplanar && truth.hit_class != HitClass::degenerate) return;
+  ASSERT_EQ(touches(triangle, ray), judged.touches) << explain(triangle, ray);
+}
 
 /// Case `index` of the 27^5 with origin, target, a, b, c in {0, 1.5, 3}^3. The ray goes to the target, where t = 1 is
 /// the end of its range [0.5, 1].
@@ -43,7 +51,7 @@ struct LatticeCase {
     triangle = {real(a), real(b), real(c)};
     ray = {real(origin), real(direction), 0.5, 1};
   }
-  Truth integer_truth() const { return judges::integer_truth(a, b, c, origin, direction, 2, 4); }
+  Judged integer_judged() const { return judges::integer_judged(a, b, c, origin, direction, 2, 4); }
 };
 
 }  // namespace judges

@@ -51,8 +51,9 @@ bool meets_degenerate(const Point& o, const Vector& d, const Ray& ray, const Poi
 
 }  // namespace
 
-Truth epeck_truth(const Triangle& triangle, const Ray& ray) {
-  Truth truth;
+Judged epeck_judged(const Triangle& triangle, const Ray& ray) {
+  Judged judged;
+  Truth& truth = judged.truth;
   const Point a = point(triangle.a), b = point(triangle.b), c = point(triangle.c), o = point(ray.origin);
   const Vector d(ray.direction.x, ray.direction.y, ray.direction.z);
   const Point q = o + d;
@@ -60,19 +61,21 @@ Truth epeck_truth(const Triangle& triangle, const Ray& ray) {
   truth.det_sign = static_cast<signed char>(det);
   if (CGAL::collinear(a, b, c)) {
     truth.hit_class = HitClass::degenerate;
-    truth.touches = meets_degenerate(o, d, ray, a, b, c);
-    return truth;
+    judged.touches = meets_degenerate(o, d, ray, a, b, c);
+    return judged;
   }
   if (det == 0) {
     truth.hit_class = CGAL::coplanar(o, a, b, c) ? HitClass::coplanar : HitClass::parallel;
-    truth.touches = truth.hit_class == HitClass::coplanar && meets(o, d, ray, Kernel::Triangle_3(a, b, c));
-    return truth;
+    judged.touches = truth.hit_class == HitClass::coplanar && meets(o, d, ray, Kernel::Triangle_3(a, b, c));
+    return judged;
   }
   const int ab = det * CGAL::orientation(o, q, a, b), bc = det * CGAL::orientation(o, q, b, c),
             ca = det * CGAL::orientation(o, q, c, a);
   if (ab < 0 || bc < 0 || ca < 0) {
     truth.hit_class = HitClass::exterior;
-  } else if (ab == 0 && bc == 0) {
+    return judged;
+  }
+  if (ab == 0 && bc == 0) {
     truth.hit_class = HitClass::vertex, truth.feature = Feature::b;
   } else if (bc == 0 && ca == 0) {
     truth.hit_class = HitClass::vertex, truth.feature = Feature::c;
@@ -86,7 +89,7 @@ Truth epeck_truth(const Triangle& triangle, const Ray& ray) {
   }
   truth.versus_t_min = versus(o, d, a, b, c, det, ray.t_min);
   truth.versus_t_max = versus(o, d, a, b, c, det, ray.t_max);
-  return truth;
+  return judged;
 }
 
 }  // namespace plumbline::judges

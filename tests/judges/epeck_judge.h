@@ -2,11 +2,11 @@
 // the second point O + D is constructed exactly, never rounded.
 #pragma once
 #include "case/geometry.h"
-#include "oracle/truth.h"
+#include "tests/judges/judged.h"
 
 namespace plumbline::judges {
 
 /// The case is not invalid.
-Truth epeck_truth(const Triangle& triangle, const Ray& ray);
+Judged epeck_judged(const Triangle& triangle, const Ray& ray);
 
 }  // namespace plumbline::judges

@@ -12,7 +12,7 @@ TEST(LatticeSet, TheIntegerJudgeAgreesOnAll) {
   for (std::uint64_t i = 0; i < LatticeCase::count; ++i) {
     const LatticeCase c(i);
     const Truth truth = classify(c.triangle, c.ray);
-    ASSERT_EQ(truth, c.integer_truth()) << "case " << i << '\n' << explain(c.triangle, c.ray);
+    ASSERT_NO_FATAL_FAILURE(expect_agreement(c.triangle, c.ray, truth, c.integer_judged())) << "case " << i;
     ++classes[static_cast<std::size_t>(truth.hit_class)];
   }
   for (std::size_t k = 0; k < classes.size(); ++k) {

@@ -12,10 +12,11 @@ TEST(LatticeSet, EveryJudgeAgreesOnEvery211th) {
   for (std::uint64_t i = 0; i < LatticeCase::count; i += 211, ++seen) {
     const LatticeCase c(i);
     const Truth truth = classify(c.triangle, c.ray);
-    ASSERT_EQ(truth, c.integer_truth()) << "case " << i << '\n' << explain(c.triangle, c.ray);
-    ASSERT_EQ(truth, rational_meeting(c.triangle, c.ray).truth) << "case " << i << '\n' << explain(c.triangle, c.ray);
+    SCOPED_TRACE(testing::Message() << "case " << i);
+    ASSERT_NO_FATAL_FAILURE(expect_agreement(c.triangle, c.ray, truth, c.integer_judged()));
+    ASSERT_NO_FATAL_FAILURE(expect_agreement(c.triangle, c.ray, truth, rational_meeting(c.triangle, c.ray)));
     if (truth.invalid != Invalid::none) continue;
-    ASSERT_EQ(truth, epeck_truth(c.triangle, c.ray)) << "case " << i << '\n' << explain(c.triangle, c.ray);
+    ASSERT_NO_FATAL_FAILURE(expect_agreement(c.triangle, c.ray, truth, epeck_judged(c.triangle, c.ray)));
   }
   EXPECT_EQ(seen, 68005u);
 }

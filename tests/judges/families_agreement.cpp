@@ -22,7 +22,7 @@ void check_rounding(const RationalMeeting& m, const Shot& s) {
 
 void check_rational(const Shot& s, const Truth& truth, Agreement& agreement) {
   const RationalMeeting m = rational_meeting(s.triangle, s.ray);
-  ASSERT_EQ(truth, m.truth) << explain(s.triangle, s.ray);
+  ASSERT_NO_FATAL_FAILURE(expect_agreement(s.triangle, s.ray, truth, m));
   if (truth.det_sign == 0) return;
   ++agreement.crossings;
   check_rounding<double>(m, s);
@@ -32,7 +32,7 @@ void check_rational(const Shot& s, const Truth& truth, Agreement& agreement) {
 void check_one(const Shot& s, bool rational, Agreement& agreement) {
   const Truth truth = classify(s.triangle, s.ray);
   if (truth.invalid == Invalid::none) {
-    ASSERT_EQ(truth, epeck_truth(s.triangle, s.ray)) << explain(s.triangle, s.ray);
+    ASSERT_NO_FATAL_FAILURE(expect_agreement(s.triangle, s.ray, truth, epeck_judged(s.triangle, s.ray)));
   }
   if (rational) check_rational(s, truth, agreement);
   ++agreement.cases;

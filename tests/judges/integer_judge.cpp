@@ -55,19 +55,21 @@ bool touches(const IntVec& a, const IntVec& b, const IntVec& c, const IntVec& n,
 
 }  // namespace
 
-Truth integer_truth(const IntVec& a, const IntVec& b, const IntVec& c, const IntVec& o, const IntVec& d, Int t_min, Int t_max) {
-  Truth truth;
+Judged integer_judged(const IntVec& a, const IntVec& b, const IntVec& c, const IntVec& o, const IntVec& d, Int t_min,
+                      Int t_max) {
+  Judged judged;
+  Truth& truth = judged.truth;
   if (zero(d)) {
     truth.invalid = Invalid::zero_direction;
-    return truth;
+    return judged;
   }
   const IntVec n = cross(sub(b, a), sub(c, a));
   const Int det = dot(d, n), T = dot(sub(a, o), n);
   truth.det_sign = sign(det);
   if (det == 0) {
     truth.hit_class = zero(n) ? HitClass::degenerate : T == 0 ? HitClass::coplanar : HitClass::parallel;
-    truth.touches = truth.hit_class != HitClass::parallel && touches(a, b, c, n, o, d, t_min, t_max);
-    return truth;
+    judged.touches = truth.hit_class != HitClass::parallel && touches(a, b, c, n, o, d, t_min, t_max);
+    return judged;
   }
   const IntVec pa = sub(a, o), pb = sub(b, o), pc = sub(c, o);
   const int ab = sign(triple(d, pa, pb)) * truth.det_sign, bc = sign(triple(d, pb, pc)) * truth.det_sign,
@@ -75,7 +77,9 @@ Truth integer_truth(const IntVec& a, const IntVec& b, const IntVec& c, const Int
   const int zeros = (ab == 0) + (bc == 0) + (ca == 0);
   if (std::min({ab, bc, ca}) < 0) {
     truth.hit_class = HitClass::exterior;
-  } else if (zeros == 0) {
+    return judged;
+  }
+  if (zeros == 0) {
     truth.hit_class = HitClass::interior;
   } else if (zeros == 1) {
     truth.hit_class = HitClass::edge;
@@ -86,7 +90,7 @@ Truth integer_truth(const IntVec& a, const IntVec& b, const IntVec& c, const Int
   }
   truth.versus_t_min = static_cast<signed char>(sign(4 * T - t_min * det) * truth.det_sign);
   truth.versus_t_max = static_cast<signed char>(sign(4 * T - t_max * det) * truth.det_sign);
-  return truth;
+  return judged;
 }
 
 }  // namespace plumbline::judges

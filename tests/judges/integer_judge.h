@@ -4,14 +4,14 @@
 #include <array>
 #include <cstdint>
 
-#include "oracle/truth.h"
+#include "tests/judges/judged.h"
 
 namespace plumbline::judges {
 
 using IntVec = std::array<std::int64_t, 3>;
 
 /// The bounds of t are given in quarters.
-Truth integer_truth(const IntVec& a, const IntVec& b, const IntVec& c, const IntVec& origin, const IntVec& direction,
-                    std::int64_t t_min_quarters, std::int64_t t_max_quarters);
+Judged integer_judged(const IntVec& a, const IntVec& b, const IntVec& c, const IntVec& origin, const IntVec& direction,
+                        std::int64_t t_min_quarters, std::int64_t t_max_quarters);
 
 }  // namespace plumbline::judges

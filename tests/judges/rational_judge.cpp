@@ -103,17 +103,18 @@ RationalMeeting rational_meeting(const Triangle& triangle, const Ray& ray) {
     m.truth.hit_class = zero(n)                          ? HitClass::degenerate
                         : dot(n, sub(o, p[0])) == 0 ? HitClass::coplanar
                                                          : HitClass::parallel;
-    m.truth.touches = m.truth.hit_class != HitClass::parallel && touches(p, n, o, d, ray);
+    m.touches = m.truth.hit_class != HitClass::parallel && touches(p, n, o, d, ray);
     return m;
   }
   m.t = dot(n, sub(p[0], o)) / denominator;
-  m.truth.versus_t_min = compare(m.t, ray.t_min);
-  m.truth.versus_t_max = compare(m.t, ray.t_max);
   // Dropping an axis along which the normal is not zero keeps barycentric coordinates.
   const int drop = n[0] != 0 ? 0 : n[1] != 0 ? 1 : 2, i = (drop + 1) % 3, j = (drop + 2) % 3;
   const Vec x = sub(at(o, d, m.t), p[0]), e1 = sub(p[1], p[0]), e2 = sub(p[2], p[0]);
   const Rational area = e1[i] * e2[j] - e1[j] * e2[i];
   place(m, (x[i] * e2[j] - x[j] * e2[i]) / area, (e1[i] * x[j] - e1[j] * x[i]) / area);
+  if (m.truth.hit_class == HitClass::exterior) return m;
+  m.truth.versus_t_min = compare(m.t, ray.t_min);
+  m.truth.versus_t_max = compare(m.t, ray.t_max);
   return m;
 }
 

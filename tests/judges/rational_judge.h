@@ -4,14 +4,13 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include "case/geometry.h"
-#include "oracle/truth.h"
+#include "tests/judges/judged.h"
 
 namespace plumbline::judges {
 
 using Rational = boost::multiprecision::cpp_rational;
 
-struct RationalMeeting {
-  Truth truth;
+struct RationalMeeting : Judged {
   Rational t, u, v;  ///< where det_sign != 0
 };
 

@@ -5,6 +5,7 @@
 
 #include "case/hard_families.h"
 #include "oracle/classify.h"
+#include "oracle/contact.h"
 #include "oracle/explain.h"
 #include "oracle/severity.h"
 #include "tests/judges/families_agreement.h"
@@ -19,7 +20,7 @@ TEST_P(SeverityOf, IsTheRoundedLeastDistance) {
   int measured = 0;
   for (std::uint64_t i = 0; i < 2000; ++i) {
     const auto [triangle, ray] = draw(GetParam(), seed() + 2, i);
-    const auto is_hit = hit(classify(triangle, ray));
+    const auto is_hit = hit(triangle, ray, classify(triangle, ray));
     for (const bool answered_hit : {false, true}) {
       const auto s = severity(triangle, ray, answered_hit, Precision::binary64);
       if (!is_hit || *is_hit == answered_hit) {

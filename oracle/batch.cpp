@@ -1,0 +1,80 @@
+#include "oracle/batch.h"
+
+#include <algorithm>
+
+#include "oracle/accumulator.h"
+#include "oracle/invalid.h"
+#include "oracle/residue128.h"
+
+namespace plumbline {
+namespace {
+
+LaneStages lane_stages(Isa isa) {
+  switch (isa) {
+#if defined(__x86_64__)
+    case Isa::avx512: return lane_stages_avx512;
+    case Isa::avx2: return lane_stages_avx2;
+#else
+    case Isa::avx512:
+    case Isa::avx2:
+#endif
+    case Isa::portable: break;
+  }
+  return lane_stages_portable;
+}
+
+// Kept out of the caller: its stack and spills would slow the vector loop.
+[[gnu::noinline, gnu::cold]] Truth classify_one_by_one(const Triangle& triangle, const Ray& ray, StageCounts& counts) {
+  Truth truth;
+  truth.invalid = why_invalid(triangle, ray);
+  if (truth.invalid != Invalid::none) {
+    ++counts.invalid;
+    return truth;
+  }
+  if (const auto decided = classify_residue128(triangle, ray)) {
+    ++counts.residue128;
+    return *decided;
+  }
+  ++counts.accumulate;
+  return classify_accumulate(triangle, ray);
+}
+
+}  // namespace
+
+bool available(Isa isa) {
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  if (isa == Isa::avx512)
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
+           __builtin_cpu_supports("avx512bw");
+  if (isa == Isa::avx2) return __builtin_cpu_supports("avx2");
+#endif
+  return isa == Isa::portable;
+}
+
+Isa best_isa() {
+  static const Isa best = available(Isa::avx512) ? Isa::avx512 : available(Isa::avx2) ? Isa::avx2 : Isa::portable;
+  return best;
+}
+
+void classify(const Batch& batch, Isa isa, StageCounts* counts) {
+  const LaneStages stages = lane_stages(isa);
+  StageCounts sum;
+  std::uint32_t undecided[lane_block];
+  for (std::size_t first = 0; first < batch.size; first += lane_block) {
+    const std::size_t count = std::min(lane_block, batch.size - first);
+    const LaneCounts left = stages(batch, first, count, undecided);
+    sum.filter += count - left.past_filter;
+    sum.residue += left.past_filter - left.past_residue;
+    for (std::size_t k = 0; k < left.past_residue; ++k) {
+      const std::size_t i = undecided[k], j = batch.one_triangle ? 0 : i;
+      const auto r = [&](std::size_t c) { return batch.ray[c][i]; };
+      const auto t = [&](std::size_t c) { return batch.triangle[c][j]; };
+      batch.truths[i] = classify_one_by_one({{t(0), t(1), t(2)}, {t(3), t(4), t(5)}, {t(6), t(7), t(8)}},
+                                            {{r(0), r(1), r(2)}, {r(3), r(4), r(5)}, r(6), r(7)}, sum);
+    }
+  }
+  if (counts != nullptr) *counts = sum;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,9 @@
+#include "oracle/batch_kernel.h"
+
+namespace plumbline {
+
+LaneCounts lane_stages_portable(const Batch& batch, std::size_t first, std::size_t count, std::uint32_t* undecided) {
+  return BatchDriver<2>(batch, undecided).run(first, count);
+}
+
+}  // namespace plumbline
