@@ -2,6 +2,7 @@
 
 #include "case/precision.h"
 #include "oracle/classify.h"
+#include "oracle/contact.h"
 #include "oracle/judge.h"
 
 namespace plumbline {
@@ -23,7 +24,8 @@ Judgement judge(const Case& asked, const Answer& answer, const Contract& contrac
   const Triangle triangle = at_precision(asked.bag.triangles.front(), contract.precision);
   const Ray ray = at_precision(asked.ray, contract.precision);
   const Ray searched = searched_ray(ray, contract);
-  Judgement judgement{.truth = classify(triangle, searched), .severity = {}};
+  Judgement judgement{.truth = classify(triangle, searched), .hit = {}, .severity = {}};
+  judgement.hit = hit(triangle, searched, judgement.truth);
   judgement.verdict = judge(triangle, ray, judgement.truth, answer, contract);
   if (wrong(judgement.verdict))
     judgement.severity = severity(triangle, searched, answer.outcome == Outcome::hit, contract.precision);

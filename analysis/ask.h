@@ -20,6 +20,7 @@ Answer ask(const Tracer& tracer, const Case& asked);
 
 struct Judgement {
   Truth truth;  ///< of the ray that the contract says is searched, at its precision
+  std::optional<bool> hit;  ///< the same, as contact.h says
   VerdictKind verdict = VerdictKind::correct;
   std::optional<Severity> severity;  ///< where the answer is wrong
 };

@@ -10,6 +10,7 @@
 #include "case/input_error.h"
 #include "case/real_text.h"
 #include "oracle/classify.h"
+#include "oracle/contact.h"
 #include "oracle/measure.h"
 
 namespace plumbline {
@@ -40,7 +41,7 @@ std::vector<std::string> differences(const Case& asked) {
   };
   compare("class", name(expect.hit_class), name(truth.hit_class));
   if (expect.feature != Feature::none) compare("feature", name(expect.feature), name(truth.feature));
-  if (expect.hit) compare("answer", word(expect.hit), word(hit(truth)));
+  if (expect.hit) compare("answer", word(expect.hit), word(hit(triangle, asked.ray, truth)));
   const auto at = measure<double>(triangle, asked.ray);
   const auto compare_number = [&](std::string_view what, const std::optional<double>& expected,
                                   double Coordinates<double>::*is) {

@@ -116,9 +116,11 @@ class Worker {
     plan_.tracers[tracer]->prepare(bag)->trace(asked_, answers_);
     const std::size_t rows = layout_.rows_per_lattice();
     const auto tallies = std::span(tallies_).subspan((tracer * plan_.lattices.size() + lattice) * rows, rows);
+    const Triangle& triangle = bag.triangles[0];
     for (std::size_t i = 0; i < asked_.size(); ++i)
-      count(tallies[layout_.row_of_shot[i]], layout_.shots[i].wish, right_answer(truths_[i], contract),
-            answers_[i].outcome, judge(bag.triangles[0], asked_[i], truths_[i], answers_[i], contract));
+      count(tallies[layout_.row_of_shot[i]], layout_.shots[i].wish,
+            right_answer(triangle, asked_[i], truths_[i], contract), answers_[i].outcome,
+            judge(triangle, asked_[i], truths_[i], answers_[i], contract));
   }
 
   const SweepPlan& plan_;

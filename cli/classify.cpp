@@ -1,5 +1,3 @@
-#include "oracle/classify.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,17 +5,12 @@
 #include "case/float_bits.h"
 #include "cli/stream.h"
 #include "cli/verb.h"
+#include "oracle/classify.h"
+#include "oracle/contact.h"
 #include "oracle/measure.h"
 
 namespace plumbline {
 namespace {
-
-constexpr std::array<std::string_view, 6> reasons = {"",
-                                                     "triangle is not finite",
-                                                     "origin is not finite",
-                                                     "direction is not finite",
-                                                     "direction is zero",
-                                                     "range is NaN"};
 
 std::optional<double> within_range(double x) { return is_finite(x) ? std::optional(x) : std::nullopt; }
 
@@ -31,12 +24,12 @@ void classify_line(const CaseLine& line, bool t_exact, std::string& out) {
   object.member("id") += line.id;
   object.text("class", name(truth.hit_class));
   object.text("feature", truth.feature == Feature::none ? std::nullopt : std::optional(name(truth.feature)));
-  object.boolean("hit", hit(truth));
+  object.boolean("hit", hit(triangle, ray, truth));
   object.number("t", at ? within_range(at->t) : std::nullopt);
   object.number("u", at ? within_range(at->u) : std::nullopt);
   object.number("v", at ? within_range(at->v) : std::nullopt);
   if (t_exact) object.text("t_exact", exact_t(triangle, ray));
-  if (truth.invalid != Invalid::none) object.text("reason", reasons[static_cast<unsigned>(truth.invalid)]);
+  if (truth.invalid != Invalid::none) object.text("reason", reason(truth.invalid));
   object.end_line();
 }
 

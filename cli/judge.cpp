@@ -45,7 +45,7 @@ void write(const CaseLine& line, const Judgement& judgement, std::string& out) {
   object.text("class", name(judgement.truth.hit_class));
   const Feature feature = judgement.truth.feature;
   object.text("feature", feature == Feature::none ? std::nullopt : std::optional(name(feature)));
-  object.boolean("hit", hit(judgement.truth));
+  object.boolean("hit", judgement.hit);
   object.number("severity", severity ? std::optional(severity->length) : std::nullopt);
   object.number("severity_ulps", severity ? std::optional(severity->ulps) : std::nullopt);
   object.text("condition", severity ? std::optional(words(severity->condition)) : std::nullopt);

@@ -47,18 +47,6 @@ class Lines {
   std::string text_;
 };
 
-std::string_view reason(Invalid invalid) {
-  switch (invalid) {
-    case Invalid::none: break;
-    case Invalid::triangle_not_finite: return "a coordinate of the triangle is NaN or infinite";
-    case Invalid::origin_not_finite: return "a coordinate of the origin is NaN or infinite";
-    case Invalid::direction_not_finite: return "a coordinate of the direction is NaN or infinite";
-    case Invalid::zero_direction: return "the direction is zero";
-    case Invalid::range_nan: return "a bound of the t range is NaN";
-  }
-  return "";
-}
-
 std::string side(const Dyadic& w, const Dyadic& det) {
   const int s = w.sign() * det.sign();
   return s > 0 ? "the sign of det: inner side" : s < 0 ? "against the sign of det: outer side" : "zero: on the edge line";

@@ -2,12 +2,28 @@
 // contact.h (rays that touch without crossing), measure.h (t, u, v), severity.h.
 #pragma once
 #include <array>
+#include <string_view>
 
 #include "case/hit_class.h"
 
 namespace plumbline {
 
-enum class Invalid : unsigned char { none, triangle_not_finite, origin_not_finite, direction_not_finite, zero_direction, range_nan };
+enum class Invalid : unsigned char {
+  none,
+  triangle_not_finite,
+  origin_not_finite,
+  direction_not_finite,
+  zero_direction,
+  range_nan,
+};
+inline constexpr std::array<std::string_view, 6> invalid_reasons = {
+    "",
+    "a coordinate of the triangle is NaN or infinite",
+    "a coordinate of the origin is NaN or infinite",
+    "a coordinate of the direction is NaN or infinite",
+    "the direction is zero",
+    "a bound of the t range is NaN"};
+constexpr std::string_view reason(Invalid invalid) { return invalid_reasons[static_cast<unsigned>(invalid)]; }
 
 struct Truth {
   HitClass hit_class = HitClass::invalid;  ///< of the line through the ray

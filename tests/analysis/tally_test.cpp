@@ -63,12 +63,13 @@ TEST(Tally, MergesByAdding) {
 
 TEST(Tally, TakesTheContractsSideOfTheTruth) {
   const Truth edge = classify(triangle, through_edge), behind = classify(triangle, from_behind);
-  EXPECT_EQ(right_answer(edge, {.edges = EdgeRule::closed}), true);
-  EXPECT_EQ(right_answer(edge, {.edges = EdgeRule::open}), false);
-  EXPECT_EQ(right_answer(edge, {.edges = EdgeRule::one_owner}), true);  // silent: the closed triangle
-  EXPECT_EQ(right_answer(behind, {}), true);
-  EXPECT_EQ(right_answer(behind, {.culling = Culling::back}), false);
-  EXPECT_EQ(right_answer(classify(triangle, {{0, 0, 0}, {0, 0, 0}}), {}), std::nullopt);
+  EXPECT_EQ(right_answer(triangle, through_edge, edge, {.edges = EdgeRule::closed}), true);
+  EXPECT_EQ(right_answer(triangle, through_edge, edge, {.edges = EdgeRule::open}), false);
+  EXPECT_EQ(right_answer(triangle, through_edge, edge, {.edges = EdgeRule::one_owner}), true);  // silent: the closed triangle
+  EXPECT_EQ(right_answer(triangle, from_behind, behind, {}), true);
+  EXPECT_EQ(right_answer(triangle, from_behind, behind, {.culling = Culling::back}), false);
+  const Ray nowhere{{0, 0, 0}, {0, 0, 0}};
+  EXPECT_EQ(right_answer(triangle, nowhere, classify(triangle, nowhere), {}), std::nullopt);
 }
 
 }  // namespace

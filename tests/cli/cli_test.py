@@ -75,7 +75,7 @@ class Classify(CliTest):
         answers = [json.loads(line) for line in lines.splitlines()]
         self.assertEqual([a["class"] for a in answers], ["invalid", "invalid", "invalid", "vertex"])
         self.assertEqual([a.get("reason") for a in answers],
-                         ["origin is not finite", "origin is not finite", "direction is zero", None])
+                         ["a coordinate of the origin is NaN or infinite"] * 2 + ["the direction is zero", None])
         self.assertIsNone(answers[0]["hit"])
         self.assertNotIn("reason", answers[3])
 

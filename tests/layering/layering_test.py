@@ -18,7 +18,7 @@ ONLY_IN = {
     r"gmp(xx)?\.h": {"oracle"},
     r"embree\d/.*": {"float_tracer"},
     r"simdjson\.h": {"case"},
-    r"nlohmann/.*": {"analysis"},
+    r"nlohmann/.*": set(),
     r"CLI/.*": {"cli"},
     r"(CGAL|boost)/.*": set(),
 }
