@@ -2,7 +2,14 @@
 #pragma once
 #include <cstdint>
 
+#include <ostream>
+
 #include "case/hard_families.h"
+
+namespace plumbline {
+/// For GoogleTest.
+inline void PrintTo(Family family, std::ostream* out) { *out << name(family); }
+}  // namespace plumbline
 
 namespace plumbline::judges {
 
