@@ -4,7 +4,7 @@
 
 #include "oracle/accumulator.h"
 #include "oracle/invalid.h"
-#include "oracle/residue128.h"
+#include "oracle/integer.h"
 
 namespace plumbline {
 namespace {
@@ -21,22 +21,6 @@ LaneStages lane_stages(Isa isa) {
     case Isa::portable: break;
   }
   return lane_stages_portable;
-}
-
-// Kept out of the caller: its stack and spills would slow the vector loop.
-[[gnu::noinline, gnu::cold]] Truth classify_one_by_one(const Triangle& triangle, const Ray& ray, StageCounts& counts) {
-  Truth truth;
-  truth.invalid = why_invalid(triangle, ray);
-  if (truth.invalid != Invalid::none) {
-    ++counts.invalid;
-    return truth;
-  }
-  if (const auto decided = classify_residue128(triangle, ray)) {
-    ++counts.residue128;
-    return *decided;
-  }
-  ++counts.accumulate;
-  return classify_accumulate(triangle, ray);
 }
 
 }  // namespace
@@ -57,6 +41,22 @@ Isa best_isa() {
   return best;
 }
 
+// Not inlined: its stack and spills would slow the callers, whose filter mostly decides.
+[[gnu::noinline]] Truth classify_scalar(const Triangle& triangle, const Ray& ray, StageCounts& counts) {
+  if (const auto decided = classify_integer(triangle, ray)) {
+    ++counts.integer;
+    return *decided;
+  }
+  Truth truth;
+  truth.invalid = why_invalid(triangle, ray);
+  if (truth.invalid != Invalid::none) {
+    ++counts.invalid;
+    return truth;
+  }
+  ++counts.accumulate;
+  return classify_accumulate(triangle, ray);
+}
+
 void classify(const Batch& batch, Isa isa, StageCounts* counts) {
   const LaneStages stages = lane_stages(isa);
   StageCounts sum;
@@ -70,7 +70,7 @@ void classify(const Batch& batch, Isa isa, StageCounts* counts) {
       const std::size_t i = undecided[k], j = batch.one_triangle ? 0 : i;
       const auto r = [&](std::size_t c) { return batch.ray[c][i]; };
       const auto t = [&](std::size_t c) { return batch.triangle[c][j]; };
-      batch.truths[i] = classify_one_by_one({{t(0), t(1), t(2)}, {t(3), t(4), t(5)}, {t(6), t(7), t(8)}},
+      batch.truths[i] = classify_scalar({{t(0), t(1), t(2)}, {t(3), t(4), t(5)}, {t(6), t(7), t(8)}},
                                             {{r(0), r(1), r(2)}, {r(3), r(4), r(5)}, r(6), r(7)}, sum);
     }
   }

@@ -3,7 +3,7 @@
 //
 //   filter       binary64 with a proved error bound, W cases at a time                     batch_kernel.h
 //   residue      integers modulo 2^64, W at a time: lattices, binary32-like data          batch_kernel.h
-//   residue128   integers modulo 2^128, one at a time: full doubles of few binades        residue128.h
+//   integer      exact 192-bit integers, one at a time: full doubles of few binades        integer.h
 //   accumulate   any finite doubles: fixed-point sums                                     accumulator.h
 //
 // Each decides a case, with a proof, or leaves it to the next; the last leaves none. The case is looked at for validity
@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "case/geometry.h"
 #include "oracle/truth.h"
 
 namespace plumbline {
@@ -30,7 +31,7 @@ struct Batch {
 
 /// How many cases each stage decided.
 struct StageCounts {
-  std::size_t filter = 0, residue = 0, residue128 = 0, accumulate = 0, invalid = 0;
+  std::size_t filter = 0, residue = 0, integer = 0, accumulate = 0, invalid = 0;
 };
 
 enum class Isa : unsigned char { portable, avx2, avx512 };
@@ -44,6 +45,9 @@ Isa best_isa();
 
 /// All of a batch. counts may be null.
 void classify(const Batch& batch, Isa isa, StageCounts* counts);
+
+/// One case by the stages past the vectors.
+Truth classify_scalar(const Triangle& triangle, const Ray& ray, StageCounts& counts);
 
 /// How many cases of a run each vector stage left undecided.
 struct LaneCounts {

@@ -108,21 +108,21 @@ class BatchKernel {
 
   /// Writes a truth for each lane; returns the mask of the lanes for which it is proved.
   static Int filter(const Cases& s, Word& truth) {
-    constexpr double k46 = 0x1p-46, k45 = 0x1p-45, low = 0x1p-300, high = 0x1p+300;
+    constexpr double k46 = 0x1p-46, low = 0x1p-300, high = 0x1p+300;
     const Determinants<RealVec> x(s.o, s.d, s.a, s.b, s.c);
     const Real m_d = max_norm(s.d), m_a = max_norm(x.a), m_e = L::max(max_norm(x.e1), max_norm(x.e2));
-    const Int ordered = (s.t_min == s.t_min) & (s.t_max == s.t_max);
-    const Int in_bounds =
-        ordered & (m_d > low) & (m_a > low) & (m_e > low) & (m_d < high) & (m_a < high) & (m_e < high);
-    const Real area = m_d * m_e;
-    const Real det_error = k46 * area * m_e, w_error = k46 * area * m_a, w_bc_error = k45 * area * (m_a + m_e);
-    const Real T_error = k46 * m_a * m_e * m_e;
+    const Real least = L::min(L::min(m_d, m_a), m_e), most = L::max(L::max(m_d, m_a), m_e);
+    const Int in_bounds = (least > low) & (most < high) & (s.t_min == s.t_min) & (s.t_max == s.t_max);
+    const Real scale = k46 * m_e, scale_d = scale * m_d;
+    const Real det_error = scale_d * m_e, w_error = scale_d * m_a, w_bc_error = 2.0 * (w_error + det_error);
+    const Real T_error = scale * m_e * m_a;
 
     const Int sign_bit = L::as_int(x.det) & (Int{} + static_cast<long long>(0x8000000000000000ull));
     const auto along = [&](Real v) { return L::as_real(L::as_int(v) ^ sign_bit); };  // v times the sign of det
     const Real det = L::abs(x.det), T = along(x.T), ab = along(x.w_ab), bc = along(x.w_bc), ca = along(x.w_ca);
     const Int crosses = in_bounds & (det > det_error);
-    const Int outside = crosses & ((ab < -w_error) | (ca < -w_error) | (bc < -w_bc_error));
+    const Real least_w = L::min(ab, ca);  // a NaN would be in both: it comes with a
+    const Int outside = crosses & ((least_w < -w_error) | (bc < -w_bc_error));
     const Word miss = (Word{} + static_cast<unsigned>(HitClass::exterior)) | sign_byte(sign_bit != 0, Int{}, det_sign_at);
     if constexpr (W == 1) {  // a branch pays where no other lane waits
       if (outside) {
@@ -130,12 +130,12 @@ class BatchKernel {
         return outside;
       }
     }
-    const Int inside = crosses & (ab > w_error) & (ca > w_error) & (bc > w_bc_error);
+    const Int inside = crosses & (least_w > w_error) & (bc > w_bc_error);
 
     // V(tau), and whether its sign is proved. An infinite tau is answered by the difference's own sign.
     const auto versus = [&](Real tau, Int& known) {
       const Real v = T - tau * det, error = T_error + L::abs(tau) * det_error;
-      known = (L::abs(v) > error) | (L::as_int(L::abs(tau)) == 0x7ff0000000000000ll);
+      known = (Int)(L::abs(v) > error) | (Int)(L::as_int(L::abs(tau)) == 0x7ff0000000000000ll);
       return v;
     };
     Int min_known, max_known;
@@ -278,12 +278,15 @@ class BatchDriver {
   }
 
   void decide(std::size_t i) {
-    const auto cases = load(i);
     Word truth{};
     const unsigned all = (1u << W) - 1;
-    const unsigned open = batch_.skip_filter ? all : ~L::bits(Kernel::filter(cases, truth)) & all;
+    const unsigned open = batch_.skip_filter ? all : ~L::bits(Kernel::filter(load(i), truth)) & all;
     store(i, truth);
-    if (__builtin_expect(open == 0, 1)) return;
+    if (__builtin_expect(open != 0, 0)) decide_open(i, open, truth);
+  }
+
+  // Apart, so that the filter's loop keeps the registers.
+  [[gnu::noinline]] void decide_open(std::size_t i, unsigned open, Word truth) {
     counts_.past_filter += static_cast<unsigned>(__builtin_popcount(open));
     if (__builtin_popcount(open) * 2 < W) {
       for (unsigned rest = open; rest != 0; rest &= rest - 1)
@@ -291,7 +294,7 @@ class BatchDriver {
       return;
     }
     Word exact;
-    const Int decided = Kernel::residue(cases, exact);
+    const Int decided = Kernel::residue(load(i), exact);
     truth = decided ? exact : truth;
     store(i, truth);
     for (unsigned rest = open & ~L::bits(decided); rest != 0; rest &= rest - 1)

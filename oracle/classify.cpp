@@ -1,8 +1,10 @@
 #include "oracle/classify.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "oracle/batch.h"
+#include "oracle/batch_kernel.h"
 
 namespace plumbline {
 namespace {
@@ -14,15 +16,15 @@ std::array<const double*, 9> columns(const Triangle& t) {
 }  // namespace
 
 Truth classify(const Triangle& triangle, const Ray& ray) {
-  Truth truth;
-  const Batch batch{.triangle = columns(triangle),
-                    .ray = {&ray.origin.x, &ray.origin.y, &ray.origin.z, &ray.direction.x, &ray.direction.y,
-                            &ray.direction.z, &ray.t_min, &ray.t_max},
-                    .size = 1,
-                    .one_triangle = true,
-                    .truths = &truth};
-  classify(batch, Isa::portable, nullptr);
-  return truth;
+  using Filter = BatchKernel<1>;
+  const auto vec = [](const Vec3& v) { return Filter::RealVec{v.x, v.y, v.z}; };
+  Lanes<1>::Word truth;
+  if (Filter::filter({vec(ray.origin), vec(ray.direction), vec(triangle.a), vec(triangle.b), vec(triangle.c), ray.t_min,
+                      ray.t_max},
+                     truth))
+    return std::bit_cast<Truth>(truth);
+  StageCounts counts;
+  return classify_scalar(triangle, ray, counts);
 }
 
 void classify(const Triangle& triangle, std::span<const Ray> rays, std::span<Truth> truths) {

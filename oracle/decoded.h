@@ -14,18 +14,18 @@ struct Decoded {
   int exponent = 0;
   bool negative = false;
 
-  Decoded() = default;
-  explicit Decoded(double x)
+  constexpr Decoded() = default;
+  constexpr explicit Decoded(double x)
       : significand(fraction(x)), exponent(ulp_exponent(x)), negative(is_negative(x)) {
     if ((to_bits(x) & FloatFormat<double>::exponent_mask) != 0) significand += FloatFormat<double>::fraction_mask + 1;
   }
   /// The exponent of the lowest set bit; significand != 0.
-  int low() const { return exponent + std::countr_zero(significand); }
+  constexpr int low() const { return exponent + std::countr_zero(significand); }
   /// One past the exponent of the highest set bit; significand != 0.
-  int high() const { return exponent + static_cast<int>(std::bit_width(significand)); }
+  constexpr int high() const { return exponent + static_cast<int>(std::bit_width(significand)); }
 
  private:
-  static std::uint64_t fraction(double x) { return to_bits(x) & FloatFormat<double>::fraction_mask; }
+  static constexpr std::uint64_t fraction(double x) { return to_bits(x) & FloatFormat<double>::fraction_mask; }
 };
 
 }  // namespace plumbline

@@ -36,6 +36,7 @@ struct Lanes {
   static Real abs(Real x) { return as_real(as_int(x) & 0x7fffffffffffffffll); }
   /// Of a NaN operand, the second.
   static Real max(Real x, Real y) { return x > y ? x : y; }
+  static Real min(Real x, Real y) { return x < y ? x : y; }
   /// The product of the low halves, as signed 32-bit integers.
   static Int multiply_halves(Int x, Int y) {
 #if defined(__AVX512F__)
@@ -78,6 +79,7 @@ struct Lanes<1> {
   static Int no(Int mask) { return mask ^ 1; }
   static Real abs(Real x) { return as_real(as_int(x) & 0x7fffffffffffffffll); }
   static Real max(Real x, Real y) { return x > y ? x : y; }
+  static Real min(Real x, Real y) { return x < y ? x : y; }
 };
 
 }  // namespace
