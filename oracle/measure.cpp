@@ -1,7 +1,9 @@
 #include "oracle/measure.h"
 
 #include "oracle/exact_case.h"
+#include "oracle/integer_case.h"
 #include "oracle/invalid.h"
+#include "oracle/quotient192.h"
 #include "oracle/round.h"
 
 namespace plumbline {
@@ -14,13 +16,26 @@ std::optional<exact::ExactCase> crossing(const Triangle& triangle, const Ray& ra
   return x;
 }
 
+// Any case, with GMP.
+template <class Real>
+[[gnu::noinline]] std::optional<Coordinates<Real>> measure_any(const Triangle& triangle, const Ray& ray) {
+  const auto x = crossing(triangle, ray);
+  if (!x) return std::nullopt;
+  return Coordinates<Real>{exact::rounded<Real>(x->t()), exact::rounded<Real>(x->u()), exact::rounded<Real>(x->v())};
+}
+
 }  // namespace
 
 template <class Real>
 std::optional<Coordinates<Real>> measure(const Triangle& triangle, const Ray& ray) {
-  const auto x = crossing(triangle, ray);
-  if (!x) return std::nullopt;
-  return Coordinates<Real>{exact::rounded<Real>(x->t()), exact::rounded<Real>(x->u()), exact::rounded<Real>(x->v())};
+  const auto x = IntegerCase::make(triangle, ray);
+  if (!x || is_nan(ray.t_min) || is_nan(ray.t_max)) return measure_any<Real>(triangle, ray);
+  const IntegerDeterminants k(*x);
+  if (k.det.sign() == 0) return std::nullopt;
+  const auto t = rounded_quotient<Real>(k.T, k.det, x->point_unit - x->direction_unit);
+  const auto u = rounded_quotient<Real>(k.w_ca, k.det, 0), v = rounded_quotient<Real>(k.w_ab, k.det, 0);
+  if (!t || !u || !v) return measure_any<Real>(triangle, ray);
+  return Coordinates<Real>{*t, *u, *v};
 }
 
 template std::optional<Coordinates<float>> measure<float>(const Triangle&, const Ray&);
