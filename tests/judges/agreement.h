@@ -1,24 +1,17 @@
-// What the tests of this folder share: the set {0, 1.5, 3}^3, and printing of a case that judges disagree on.
+// What the tests of this folder share: the set {0, 1.5, 3}^3, and the comparison of a truth with a judge's.
 #pragma once
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <ostream>
 
 #include "case/geometry.h"
 #include "oracle/classify.h"
 #include "oracle/contact.h"
 #include "oracle/explain.h"
 #include "tests/judges/integer_judge.h"
+#include "tests/judges/print.h"
 
-namespace plumbline {
-
-inline void PrintTo(const Truth& t, std::ostream* out) {
-  *out << name(t.hit_class) << ' ' << name(t.feature) << " det " << int{t.det_sign} << " t_min " << int{t.versus_t_min}
-       << " t_max " << int{t.versus_t_max} << " invalid " << static_cast<int>(t.invalid);
-}
-
-namespace judges {
+namespace plumbline::judges {
 
 /// Class and signs, and contact where the class leaves it open. For use with ASSERT_NO_FATAL_FAILURE.
 inline void expect_agreement(const Triangle& triangle, const Ray& ray, const Truth& truth, const Judged& judged) {
@@ -54,5 +47,4 @@ struct LatticeCase {
   Judged integer_judged() const { return judges::integer_judged(a, b, c, origin, direction, 2, 4); }
 };
 
-}  // namespace judges
-}  // namespace plumbline
+}  // namespace plumbline::judges

@@ -1,7 +1,6 @@
 #include "tests/judges/families_agreement.h"
 
 #include <cstdio>
-#include <cstdlib>
 
 #include "oracle/measure.h"
 #include "tests/judges/agreement.h"
@@ -49,11 +48,6 @@ Agreement check_family(Family family, std::uint64_t from, std::uint64_t count, s
   std::printf("%-13s seed %llu: %llu cases, t u v of %llu\n", name(family).data(), static_cast<unsigned long long>(from),
               static_cast<unsigned long long>(agreement.cases), static_cast<unsigned long long>(agreement.crossings));
   return agreement;
-}
-
-std::uint64_t seed() {
-  const char* text = std::getenv("PLUMBLINE_SEED");
-  return text != nullptr ? std::strtoull(text, nullptr, 0) : 20260101;
 }
 
 }  // namespace plumbline::judges

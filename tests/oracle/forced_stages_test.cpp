@@ -1,0 +1,123 @@
+// Each stage alone against mpq, on every family: what it decides is right, and it decides what it is there for.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "oracle/explain.h"
+#include "tests/judges/mpq_judge.h"
+#include "tests/judges/print.h"
+#include "tests/judges/seed.h"
+#include "tests/oracle/stages.h"
+
+namespace plumbline {
+namespace {
+
+constexpr std::size_t count = 2000;
+
+class ForcedStages : public testing::TestWithParam<std::size_t> {
+ protected:
+  static Family family() { return static_cast<Family>(GetParam()); }
+  ForcedStages() {
+    for (std::uint64_t i = 0; shots.size() < count; ++i) {
+      const Shot shot = draw(family(), judges::seed() + 3, i);
+      if (shot.ray.direction == Vec3{}) continue;
+      shots.push_back(shot);
+      expected.push_back(judges::mpq_truth(shot.triangle, shot.ray));
+    }
+  }
+
+  // How many are decided.
+  std::size_t check(const std::vector<std::optional<Truth>>& answers) const {
+    std::size_t decided = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!answers[i]) continue;
+      ++decided;
+      if (*answers[i] == expected[i]) continue;
+      EXPECT_EQ(*answers[i], expected[i]) << explain(shots[i].triangle, shots[i].ray);
+      break;
+    }
+    return decided;
+  }
+
+  std::vector<Shot> shots;
+  std::vector<Truth> expected;
+};
+
+// The least number of `count` that the filter, the residue and the integer stage decide; 0 where none is expected.
+struct Share {
+  std::size_t filter = 0, residue = 0, integer = 0;
+};
+Share expected_share(Family family) {
+  constexpr std::size_t all = count, most = count * 9 / 10;
+  switch (family) {
+    case Family::random:
+    case Family::small_far: return {.filter = most, .integer = most};
+    case Family::lattice:
+    case Family::exact_edge12:
+    case Family::exact_edge23:
+    case Family::coplanar:
+    case Family::degenerate: return {.residue = most, .integer = all};
+    case Family::exact_edge51: return {.integer = all};
+    case Family::ulp12:
+    case Family::ulp51: return {.integer = most};
+    case Family::mixed40:
+    case Family::wide:
+    case Family::wide_edge:
+    case Family::full_range: return {};
+  }
+  return {};
+}
+
+TEST_P(ForcedStages, DecideRightly) {
+  std::printf("%s, seed %llu, of %zu:", name(family()).data(), static_cast<unsigned long long>(judges::seed()), count);
+  const Share share = expected_share(family());
+  for (const Stage& stage : all_stages()) {
+    SCOPED_TRACE(stage.name());
+    const std::size_t decided = check(ask(stage, shots));
+    std::printf("  %s %zu", stage.name().c_str(), decided);
+    switch (stage.kind) {
+      case Stage::filter: EXPECT_GE(decided, share.filter); break;
+      case Stage::residue: EXPECT_GE(decided, share.residue); break;
+      case Stage::integer: EXPECT_GE(decided, share.integer); break;
+      case Stage::accumulate:
+      case Stage::single_call: EXPECT_EQ(decided, count); break;
+    }
+  }
+  std::printf("\n");
+}
+
+TEST_P(ForcedStages, BlocksAnswerAsSingleCasesDo) {
+  for (const Isa isa : all_isas()) {
+    SCOPED_TRACE(name(isa));
+    const auto filter = ask({Stage::filter, isa}, shots), residue = ask({Stage::residue, isa}, shots);
+    const BlockRun run = run_blocks(isa, shots, false), skipping = run_blocks(isa, shots, true);
+    check(run.truths);
+    EXPECT_EQ(skipping.truths, residue);
+    EXPECT_EQ(skipping.counts.past_filter, count);
+    LaneCounts left;
+    for (std::size_t i = 0; i < count; ++i) {
+      left.past_filter += filter[i] ? 0 : 1;
+      left.past_residue += filter[i] || residue[i] ? 0 : 1;
+      EXPECT_EQ(run.truths[i].has_value(), filter[i] || residue[i]);
+    }
+    EXPECT_EQ(run.counts.past_filter, left.past_filter);
+    EXPECT_EQ(run.counts.past_residue, left.past_residue);
+  }
+}
+
+// Batches of every length up to a few groups, so that every last group occurs.
+TEST_P(ForcedStages, TheLastCasesOfABatchAreCasesToo) {
+  for (const Isa isa : all_isas())
+    for (std::size_t n = 1; n <= 40; ++n) {
+      const BlockRun run = run_blocks(isa, std::span(shots).first(n), false);
+      check(run.truths);
+      for (std::size_t i = 0; i < n; ++i)
+        EXPECT_EQ(run.truths[i].has_value(), ask({Stage::filter, isa}, shots[i]) || ask({Stage::residue, isa}, shots[i]));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ForcedStages, testing::Range<std::size_t>(0, family_names.size()),
+                         [](const auto& info) { return std::string(family_names[info.param]); });
+
+}  // namespace
+}  // namespace plumbline
