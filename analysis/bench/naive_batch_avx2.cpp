@@ -1,0 +1,7 @@
+#include "analysis/bench/naive_batch_kernel.h"
+
+namespace plumbline {
+
+void naive_batch_avx2(const Batch& batch, std::uint8_t* hits) { NaiveKernel<4>::run(batch, hits); }
+
+}  // namespace plumbline
