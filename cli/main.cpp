@@ -39,6 +39,7 @@ int run(int argc, char** argv) {
   plumbline::add_replay(app, disagreement);
   plumbline::add_explain(app);
   plumbline::add_tracers(app);
+  plumbline::add_bench(app);
   app.footer(
       "Exit codes: judge and replay: 0 agree, 1 disagreement found, 2 trouble; all other verbs: 0 or 2.\n"
       "Data goes to standard output, everything for people to standard error.\n"

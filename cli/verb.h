@@ -16,5 +16,6 @@ void add_judge(CLI::App& app, bool& disagreement);
 void add_replay(CLI::App& app, bool& disagreement);
 void add_explain(CLI::App& app);
 void add_tracers(CLI::App& app);
+void add_bench(CLI::App& app);
 
 }  // namespace plumbline

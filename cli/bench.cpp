@@ -1,0 +1,136 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "analysis/bench/bench_oracle.h"
+#include "analysis/bench/bench_table.h"
+#include "case/enum_names.h"
+#include "case/input_error.h"
+#include "case/real_text.h"
+#include "cli/output.h"
+#include "cli/verb.h"
+
+namespace plumbline {
+namespace {
+
+struct OracleOptions {
+  std::vector<std::string> workloads;
+  std::string isa = std::string(name(best_isa())), output = "-";
+  double t_max = std::numeric_limits<double>::infinity(), search = 2;
+  std::uint64_t seed = 1;
+  bool quick = false, json = false;
+};
+
+std::vector<std::string> workload_names() {
+  std::vector<std::string> names;
+  for (const WorkloadPlan& workload : workload_plans()) names.emplace_back(workload.name);
+  return names;
+}
+
+BenchPlan plan_of(const OracleOptions& options) {
+  BenchPlan plan;
+  for (const WorkloadPlan& workload : workload_plans())
+    if (options.workloads.empty() || std::ranges::find(options.workloads, workload.name) != options.workloads.end())
+      plan.workloads.push_back(workload);
+  plan.isa = *from_name<Isa>(isa_names, options.isa);
+  if (!available(plan.isa))
+    throw InputError(fmt::format("--isa {}: this processor doesn't have it; the widest that it has is {}", options.isa,
+                                 name(best_isa())));
+  if (!(options.t_max >= 1))
+    throw InputError(
+        fmt::format("--t-max {}: less than 1, where the rays are aimed; give 1, more, or inf", options.t_max));
+  plan.t_max = options.t_max;
+  plan.seed = options.seed;
+  plan.search_seconds = options.search;
+  if (options.quick) {
+    plan.cases = 256;
+    plan.memory_cases = 2048;
+    plan.rival_cases = 16;
+    plan.rounds = 3;
+    plan.slice_seconds = 1e-4;
+  }
+  return plan;
+}
+
+// With every default that matters spelt out.
+std::string command_of(const OracleOptions& options) {
+  std::string command = fmt::format("plumbline bench oracle --isa {} --t-max {} --seed {} --search {}", options.isa,
+                                    shortest_decimal(options.t_max), options.seed, options.search);
+  for (const std::string& workload : options.workloads) command += " --workload " + workload;
+  if (options.quick) command += " --quick";
+  return command;
+}
+
+void show_progress(std::string_view what) { fmt::print(stderr, "\r\x1b[K{}", what); }
+
+void run_oracle(const OracleOptions& options) {
+  const BenchPlan plan = plan_of(options);
+  Output output(options.output);
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  const BenchResult result = bench_oracle(
+      plan, terminal ? show_progress : [](std::string_view) {});
+  if (terminal) fmt::print(stderr, "\r\x1b[K");
+  output.write(options.json ? to_json_lines(result) : to_terminal(result, command_of(options)));
+  output.finish();
+}
+
+void add_oracle(CLI::App& bench) {
+  auto options = std::make_shared<OracleOptions>();
+  OracleOptions& o = *options;
+  CLI::App* verb =
+      bench.add_subcommand("oracle", "What the exact answer costs, beside naive kernels and other libraries");
+  verb->add_option("--workload", o.workloads, "Kind of cases; repeatable (default: all)")
+      ->check(CLI::IsMember(workload_names()))
+      ->type_name("NAME");
+  verb->add_option("--isa", o.isa, "Instruction set of the rows in batches, naive and exact (default: the widest here)")
+      ->check(CLI::IsMember(std::vector<std::string>(isa_names.begin(), isa_names.end())))
+      ->type_name("ISA");
+  verb->add_option("--t-max", o.t_max, "Where all rays end; at 1, many end exactly at the hit")
+      ->type_name("T")
+      ->capture_default_str();
+  verb->add_option("--search", o.search, "Seconds to search for the slowest case of any finite doubles; 0: don't")
+      ->check(CLI::Range(0.0, 86400.0))
+      ->type_name("SECONDS")
+      ->capture_default_str();
+  verb->add_option("--seed", o.seed, "Of the cases and of the search")->type_name("N")->capture_default_str();
+  verb->add_flag("--quick", o.quick, "Few cases, short repetitions: to try it out; the times mean little");
+  verb->add_flag("--json", o.json, "Print JSON, one object a line");
+  verb->add_option("-o", o.output, "Write to this file instead")->type_name("FILE");
+  verb->footer(
+      "Rays begin at t = 0. Workloads: " + fmt::format("{}", fmt::join(workload_names(), ", ")) +
+      ".\n"
+      "random_hits are the random rays that hit; random_memory are too many for any cache. The rest: 2048 cases, in "
+      "L2.\n\n"
+      "Methods:\n"
+      "  naive_scalar                Moller and Trumbore's test, one case a call\n"
+      "  naive_batch                 the same in columns and lanes: the hit bit only\n"
+      "  exact_batch                 classify in columns, a triangle for each ray\n"
+      "  ..._one_triangle            both with one triangle for all rays; their ratio is to the naive one of these\n"
+      "  exact_single                classify, one case a call\n"
+      "  exact_batch_without_filter  the residue stage asked of every case, then the later stages\n"
+      "  integer, accumulate         these stages alone, one case a call\n"
+      "  full_truth                  exact_single, and t, u, v rounded where the ray hits\n"
+      "  truth_and_severity          exact_single, and how wrong the opposite answer is\n"
+      "  epick_..., epeck_...        CGAL's kernels; EPICK rounds the second point of the ray, so it is inexact\n"
+      "  mpq_class, cpp_rational     the formulas in GMP's and Boost's rationals\n"
+      "The last five only where the build has the library (mpq_class: always), and of fewer cases.\n\n"
+      "JSON: workload, method, isa, t_max, answers (all of a truth, a feature or a hit bit), exact, cases, ns_median,\n"
+      "ratio_to_naive_batch, ratio_to_naive_scalar, undecided (share that the row's first stage leaves to the next, "
+      "or\n"
+      "null), wrong (answers that differ from mpq_class's). The worst case found has tried and case besides.\n\n"
+      "Example:\n"
+      "  plumbline bench oracle --workload random --workload exact_edge23 --search 0");
+  verb->callback([options] { run_oracle(*options); });
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand("bench", "What things cost");
+  verb->require_subcommand(1);
+  add_oracle(*verb);
+}
+
+}  // namespace plumbline
