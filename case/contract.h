@@ -38,7 +38,8 @@ enum class TouchRule : unsigned char { hit, miss, unspecified };
 inline constexpr std::array<std::string_view, 3> touch_rule_names = {"hit", "miss", "unspecified"};
 constexpr std::string_view name(TouchRule r) { return touch_rule_names[static_cast<unsigned>(r)]; }
 
-/// Which side of a triangle is not hit. The front is where the vertices appear counter-clockwise.
+/// Which side of a triangle is not hit. The front is where the vertices appear counter-clockwise. Contact without a
+/// crossing has no side: coplanar and degenerate settle it.
 enum class Culling : unsigned char { none, back, front };
 inline constexpr std::array<std::string_view, 3> culling_names = {"none", "back", "front"};
 constexpr std::string_view name(Culling c) { return culling_names[static_cast<unsigned>(c)]; }
@@ -52,7 +53,7 @@ struct Contract {
   TouchRule coplanar = TouchRule::miss;
   TouchRule degenerate = TouchRule::miss;
   Culling culling = Culling::none;
-  double slack_absolute = 0;  ///< by how much it says it widens a triangle, as a length
+  double slack_absolute = 0;  ///< by how much it says it widens a triangle, as a length: excuses a hit that is as near
   double slack_relative = 0;  ///< the same, as a multiple of the triangle's longest edge
 };
 

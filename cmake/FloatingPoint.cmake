@@ -6,3 +6,6 @@
 add_library(plumbline_strict_fp INTERFACE)
 add_library(plumbline::strict_fp ALIAS plumbline_strict_fp)
 target_compile_options(plumbline_strict_fp INTERFACE -ffp-contract=off -fno-fast-math)
+# clang takes DAZ to be off and turns a test of bits, (bits & ~sign) == 0, into a comparison of floats, which under DAZ
+# calls every subnormal zero. This keeps it from doing so.
+target_compile_options(plumbline_strict_fp INTERFACE $<$<CXX_COMPILER_ID:Clang>:-fdenormal-fp-math=dynamic>)

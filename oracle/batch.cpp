@@ -61,18 +61,20 @@ void classify(const Batch& batch, Isa isa, StageCounts* counts) {
   const LaneStages stages = lane_stages(isa);
   StageCounts sum;
   std::uint32_t undecided[lane_block];
-  for (std::size_t first = 0; first < batch.size; first += lane_block) {
-    const std::size_t count = std::min(lane_block, batch.size - first);
-    const LaneCounts left = stages(batch, first, count, undecided);
-    sum.filter += count - left.past_filter;
+  for (Batch rest = batch; rest.size != 0;) {
+    Batch block = rest;
+    block.size = std::min<std::size_t>(lane_block, rest.size);
+    const LaneCounts left = stages(block, undecided);
+    sum.filter += block.size - left.past_filter;
     sum.residue += left.past_filter - left.past_residue;
     for (std::size_t k = 0; k < left.past_residue; ++k) {
-      const std::size_t i = undecided[k], j = batch.one_triangle ? 0 : i;
-      const auto r = [&](std::size_t c) { return batch.ray[c][i]; };
-      const auto t = [&](std::size_t c) { return batch.triangle[c][j]; };
-      batch.truths[i] = classify_scalar({{t(0), t(1), t(2)}, {t(3), t(4), t(5)}, {t(6), t(7), t(8)}},
+      const std::size_t i = undecided[k], j = block.one_triangle ? 0 : i;
+      const auto r = [&](std::size_t c) { return block.ray[c][i]; };
+      const auto t = [&](std::size_t c) { return block.triangle[c][j]; };
+      block.truths[i] = classify_scalar({{t(0), t(1), t(2)}, {t(3), t(4), t(5)}, {t(6), t(7), t(8)}},
                                             {{r(0), r(1), r(2)}, {r(3), r(4), r(5)}, r(6), r(7)}, sum);
     }
+    rest.skip(block.size);
   }
   if (counts != nullptr) *counts = sum;
 }

@@ -27,6 +27,15 @@ struct Batch {
   bool one_triangle = false;
   bool skip_filter = false;  ///< for tests: the residue stage sees every case
   Truth* truths = nullptr;
+
+  /// Leaves out the first n cases.
+  void skip(std::size_t n) {
+    for (const double*& column : ray) column += n;
+    if (!one_triangle)
+      for (const double*& column : triangle) column += n;
+    truths += n;
+    size -= n;
+  }
 };
 
 /// How many cases each stage decided.
@@ -55,16 +64,16 @@ struct LaneCounts {
 };
 
 /// At most this many cases per run.
-inline constexpr std::size_t lane_block = 1024;
+inline constexpr std::uint32_t lane_block = 1024;
 
-/// The vector stages: decide what they can of cases [first, first + count), count <= lane_block, and list the others in
-/// `undecided`, which has room for `count`. first + count <= 2^32.
-using LaneStages = LaneCounts (*)(const Batch& batch, std::size_t first, std::size_t count, std::uint32_t* undecided);
+/// The vector stages: decide what they can of a batch of at most lane_block cases, and list the indices of the others in
+/// `undecided`, which has room for as many.
+using LaneStages = LaneCounts (*)(const Batch& batch, std::uint32_t* undecided);
 
-LaneCounts lane_stages_portable(const Batch&, std::size_t first, std::size_t count, std::uint32_t* undecided);
+LaneCounts lane_stages_portable(const Batch& batch, std::uint32_t* undecided);
 #if defined(__x86_64__)
-LaneCounts lane_stages_avx2(const Batch&, std::size_t first, std::size_t count, std::uint32_t* undecided);
-LaneCounts lane_stages_avx512(const Batch&, std::size_t first, std::size_t count, std::uint32_t* undecided);
+LaneCounts lane_stages_avx2(const Batch& batch, std::uint32_t* undecided);
+LaneCounts lane_stages_avx512(const Batch& batch, std::uint32_t* undecided);
 #endif
 
 // The vector stages write a Truth as one 64-bit word.

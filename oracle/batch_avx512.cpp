@@ -2,8 +2,8 @@
 
 namespace plumbline {
 
-LaneCounts lane_stages_avx512(const Batch& batch, std::size_t first, std::size_t count, std::uint32_t* undecided) {
-  return BatchDriver<8>(batch, undecided).run(first, count);
+LaneCounts lane_stages_avx512(const Batch& batch, std::uint32_t* undecided) {
+  return BatchDriver<8>(batch, undecided).run();
 }
 
 }  // namespace plumbline

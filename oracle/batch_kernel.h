@@ -13,11 +13,12 @@
 //   w_BC:         both of the above and 2 sums: 204 u mD me (ma + me)
 //   T:            8 (a is a difference as well): 96 u ma me^2
 //   V(tau):       T, det, a product and a sum: 96 u (ma me^2 + |tau| mD me^2); the last sum's rounding keeps the sign
-// The constants are the next powers of two: 128 u = 2^-46, 256 u = 2^-45. What is left of them, at least a quarter, covers
-// the roundings of the bound itself (at most 5, relative) and second-order terms (2^-50). Precondition, checked per lane:
-// 2^-300 < mD, ma, me < 2^300. So no product of three exceeds 2^904, and the absolute error that gradual underflow, FTZ or
-// DAZ may add to one operation, 2^-1022, is less than 2^-70 of any bound, which is at least 2^-946. A decision needs
-// |value| > bound, which a NaN fails.
+// The constants are the next powers of two: 128 u = 2^-46, 256 u = 2^-45. What is left of them, at least a fifth, covers
+// the roundings of the bound itself (at most 5, relative), second-order terms (2^-50) and underflow. Precondition, checked
+// per lane: 2^-300 < mD, ma, me < 2^300. So no product of three exceeds 2^904. Gradual underflow, FTZ or DAZ add at most
+// 2^-1022 to an operation; relative to the norms of its operands, of which the smallest product of two is 2^-600, that is
+// 2^-422, and it stays so through later factors. A tau that DAZ flushes changes V by 2^-1022 |det|, 2^-422 of T's norm
+// ma me^2 alike. A decision needs |value| > bound, which a NaN fails.
 //
 // RESIDUE. A determinant of integers is known exactly when it is known modulo 2^64 and known to lie in (-2^63, 2^63).
 // The stage takes lanes whose twelve point coordinates are multiples of one power of two g, and below 2^30 g; and whose
@@ -26,7 +27,7 @@
 // are evaluated twice: in binary64, and modulo 2^64. The error of the binary64 value, in units and in any rounding mode
 // (one rounding is at most 2^-52 relative):
 //   a component of N or h (two products < 2^62, a difference < 2^63):  2 * 2^10 + 2^11 = 2^12
-//   det, T, w_AB, w_CA (3 products < 2^94, sums < 2^96):  3 * 2^31 * 2^12 + 3 * 2^42 + 2 * 2^44 < 2^46
+//   det, T, w_AB, w_CA (3 products < 2^94, sums < 2^95 and < 2^96):  3 * 2^31 * 2^12 + 3 * 2^42 + 2^43 + 2^44 < 2^46
 //   w_BC: three of these and two sums < 2^98:  < 2^49
 // So where |value| >= 2^62 its sign is right, and elsewhere the exact value lies in (-2^63, 2^63): the residue is it.
 // V(tau) is taken in units of g^3 / 64, where tau = m g / (64 g') with an integer |m| <= 2^13: 64 T - m det has the error
@@ -172,8 +173,9 @@ class BatchKernel {
       return WordVec{integer(v.x, magic, lost), integer(v.y, magic, lost), integer(v.z, magic, lost)};
     };
     const auto steps = [](int n) { return static_cast<long long>(n) << 52; };
-    const Int p_magic = (p_exponent + steps(53 - point_bits)) | half;
-    const Int d_magic = (d_exponent + steps(53 - direction_bits)) | half;
+    // Unsigned: of lanes that are left anyway, the exponents may wrap.
+    const auto magic = [&](Int exponent, int n) { return (Int)((Word)exponent + (Word)(Int{} + steps(n))) | half; };
+    const Int p_magic = magic(p_exponent, 53 - point_bits), d_magic = magic(d_exponent, 53 - direction_bits);
     const WordVec o = integers(s.o, p_magic), d = integers(s.d, d_magic), a = integers(s.a, p_magic),
                   b = integers(s.b, p_magic), c = integers(s.c, p_magic);
 
@@ -183,7 +185,8 @@ class BatchKernel {
     on_grid &= (real.det == real.det) & (real.T == real.T);
     const Determinants<WordVec> word(o, d, a, b, c);
     // 2^62 units of det and of T.
-    const Real g = (Real)(p_exponent - steps(point_bits - 1)), g_d = (Real)(d_exponent - steps(direction_bits - 1));
+    const auto unit = [&](Int exponent, int bits) { return (Real)((Word)exponent - (Word)(Int{} + steps(bits - 1))); };
+    const Real g = unit(p_exponent, point_bits), g_d = unit(d_exponent, direction_bits);
     const Real det_limit = 0x1p+62 * g * g * g_d, T_limit = 0x1p+62 * g * g * g;
     struct Sign { Int negative, zero; };
     const auto sign = [](Real value, Word exact, Real limit) {
@@ -195,7 +198,8 @@ class BatchKernel {
                ca = sign(real.w_ca, word.w_ca, det_limit);
 
     // tau = m g / (64 g'): the unit of tau by its exponent, m by the same addition as above.
-    const Int tau_magic = (((p_exponent - d_exponent) + steps(direction_bits - point_bits - tau_shift + 52) + biased(0)) | half);
+    const Int tau_magic = magic((Int)((Word)p_exponent - (Word)d_exponent),
+                                direction_bits - point_bits - tau_shift + 52 + 1023);
     const Real V_limit = 0x1p-6 * T_limit;
     const auto versus = [&](Real tau, Int& known, int at) {
       const Int infinite = magnitude(tau) == exponent_field;
@@ -229,7 +233,7 @@ class BatchKernel {
   }
 };
 
-// Runs both stages over cases [first, first + count) of a batch; see lane_stages in batch.h.
+// Runs both stages over a batch of at most lane_block cases; see LaneStages in batch.h.
 template <int W>
 class BatchDriver {
   using L = Lanes<W>;
@@ -243,29 +247,28 @@ class BatchDriver {
       for (int k = 0; k < 9; ++k) triangle_[k] = L::all(batch.triangle[k][0]);
   }
 
-  LaneCounts run(std::size_t first, std::size_t count) {
-    std::size_t i = first;
-    for (; i + W <= first + count; i += W) decide(i);
-    if (i < first + count) decide_last(i, first + count - i);
+  LaneCounts run() {
+    const auto size = static_cast<std::uint32_t>(batch_.size);
+    std::uint32_t i = 0;
+    for (; i + W <= size; i += W) decide(i);
+    if (i < size) decide_last(i, size - i);
     // Lanes that stood alone among decided ones, brought together.
-    for (std::size_t k = 0; k < sparse_count_; k += W) {
-      const std::size_t n = sparse_count_ - k < W ? sparse_count_ - k : W;
-      residue_listed(sparse_ + k, n);
-    }
+    for (std::uint32_t k = 0; k < sparse_count_; k += W)
+      residue_listed(sparse_ + k, sparse_count_ - k < W ? sparse_count_ - k : W);
     return counts_;
   }
 
  private:
-  void store(std::size_t i, Word truth) { std::memcpy(static_cast<void*>(batch_.truths + i), &truth, sizeof truth); }
+  void store(std::uint32_t i, Word truth) { std::memcpy(static_cast<void*>(batch_.truths + i), &truth, sizeof truth); }
 
-  typename Kernel::Cases load(std::size_t i) const {
+  typename Kernel::Cases load(std::uint32_t i) const {
     const auto ray = [&](int k) { return L::load(batch_.ray[k] + i); };
     const auto corner = [&](int k) { return batch_.one_triangle ? triangle_[k] : L::load(batch_.triangle[k] + i); };
     return {{ray(0), ray(1), ray(2)}, {ray(3), ray(4), ray(5)}, {corner(0), corner(1), corner(2)},
             {corner(3), corner(4), corner(5)}, {corner(6), corner(7), corner(8)}, ray(6), ray(7)};
   }
 
-  typename Kernel::Cases gather(const std::uint32_t* index, std::size_t n) const {
+  typename Kernel::Cases gather(const std::uint32_t* index, std::uint32_t n) const {
     alignas(64) double column[17][W];
     for (std::size_t lane = 0; lane < W; ++lane) {
       const std::size_t i = index[lane < n ? lane : n - 1];
@@ -277,7 +280,7 @@ class BatchDriver {
             {at(14), at(15), at(16)}, at(6), at(7)};
   }
 
-  void decide(std::size_t i) {
+  void decide(std::uint32_t i) {
     Word truth{};
     const unsigned all = (1u << W) - 1;
     const unsigned open = batch_.skip_filter ? all : ~L::bits(Kernel::filter(load(i), truth)) & all;
@@ -286,11 +289,11 @@ class BatchDriver {
   }
 
   // Apart, so that the filter's loop keeps the registers.
-  [[gnu::noinline]] void decide_open(std::size_t i, unsigned open, Word truth) {
+  [[gnu::noinline]] void decide_open(std::uint32_t i, unsigned open, Word truth) {
     counts_.past_filter += static_cast<unsigned>(__builtin_popcount(open));
     if (__builtin_popcount(open) * 2 < W) {
       for (unsigned rest = open; rest != 0; rest &= rest - 1)
-        sparse_[sparse_count_++] = static_cast<std::uint32_t>(i) + static_cast<unsigned>(__builtin_ctz(rest));
+        sparse_[sparse_count_++] = i + static_cast<unsigned>(__builtin_ctz(rest));
       return;
     }
     Word exact;
@@ -298,10 +301,10 @@ class BatchDriver {
     truth = decided ? exact : truth;
     store(i, truth);
     for (unsigned rest = open & ~L::bits(decided); rest != 0; rest &= rest - 1)
-      undecided_[counts_.past_residue++] = static_cast<std::uint32_t>(i) + static_cast<unsigned>(__builtin_ctz(rest));
+      undecided_[counts_.past_residue++] = i + static_cast<unsigned>(__builtin_ctz(rest));
   }
 
-  void residue_listed(const std::uint32_t* index, std::size_t n) {
+  void residue_listed(const std::uint32_t* index, std::uint32_t n) {
     Word truth;
     const unsigned decided = L::bits(Kernel::residue(gather(index, n), truth));
     for (std::size_t lane = 0; lane < n; ++lane) {
@@ -313,9 +316,9 @@ class BatchDriver {
   }
 
   // The last group, of n < W cases.
-  void decide_last(std::size_t from, std::size_t n) {
+  void decide_last(std::uint32_t from, std::uint32_t n) {
     std::uint32_t lanes[W];
-    for (std::size_t lane = 0; lane < n; ++lane) lanes[lane] = static_cast<std::uint32_t>(from + lane);
+    for (std::uint32_t lane = 0; lane < n; ++lane) lanes[lane] = from + lane;
     Word truth{};
     const unsigned decided = batch_.skip_filter ? 0 : L::bits(Kernel::filter(gather(lanes, n), truth));
     for (std::size_t lane = 0; lane < n; ++lane) {
@@ -332,7 +335,7 @@ class BatchDriver {
   std::uint32_t* undecided_;
   typename L::Real triangle_[9];
   LaneCounts counts_;
-  std::size_t sparse_count_ = 0;
+  std::uint32_t sparse_count_ = 0;
   std::uint32_t sparse_[lane_block];
 };
 

@@ -2,8 +2,8 @@
 
 namespace plumbline {
 
-LaneCounts lane_stages_portable(const Batch& batch, std::size_t first, std::size_t count, std::uint32_t* undecided) {
-  return BatchDriver<2>(batch, undecided).run(first, count);
+LaneCounts lane_stages_portable(const Batch& batch, std::uint32_t* undecided) {
+  return BatchDriver<2>(batch, undecided).run();
 }
 
 }  // namespace plumbline

@@ -32,7 +32,7 @@ void classify(const Triangle& triangle, std::span<const Ray> rays, std::span<Tru
   Batch batch{.triangle = columns(triangle), .one_triangle = true};
   for (std::size_t k = 0; k < 8; ++k) batch.ray[k] = column[k];
   for (std::size_t first = 0; first < rays.size(); first += lane_block) {
-    batch.size = std::min(lane_block, rays.size() - first);
+    batch.size = std::min<std::size_t>(lane_block, rays.size() - first);
     batch.truths = truths.data() + first;
     for (std::size_t i = 0; i < batch.size; ++i) {
       const Ray& r = rays[first + i];

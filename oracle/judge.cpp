@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "case/float_bits.h"
 #include "oracle/contact.h"
 #include "oracle/severity.h"
 
@@ -87,7 +88,7 @@ VerdictKind judge(const Triangle& triangle, const Ray& ray, const Truth& truth, 
     case Duty::miss: break;
   }
   if (!answered_hit) return VerdictKind::correct;
-  const bool has_slack = contract.slack_absolute > 0 || contract.slack_relative > 0;
+  const bool has_slack = !is_zero(contract.slack_absolute) || !is_zero(contract.slack_relative);
   if (has_slack && !culled(truth, contract) &&
       within_slack(triangle, searched_ray(ray, contract), contract.slack_absolute, contract.slack_relative))
     return VerdictKind::correct;

@@ -32,7 +32,7 @@ struct Lanes {
     std::memcpy(&r, p, sizeof r);
     return r;
   }
-  static Real all(double x) { return Real{} + x; }
+  static Real all(double x) { return (Real)(Int{} + std::bit_cast<long long>(x)); }  // bits: FTZ flushes no sum
   static Real abs(Real x) { return as_real(as_int(x) & 0x7fffffffffffffffll); }
   /// Of a NaN operand, the second.
   static Real max(Real x, Real y) { return x > y ? x : y; }

@@ -78,18 +78,19 @@ Quotient squared_distance(const ExactCase& x, const Interval& range) {
   return *least.get();
 }
 
+bool meets(const ExactCase& x, const Ray& ray, const Interval& searched) {
+  const int det = x.det.sign();
+  if (det == 0) return contact_in_range(x, ray).has_value();
+  const bool in_triangle = x.w_ab.sign() * det >= 0 && x.w_bc.sign() * det >= 0 && x.w_ca.sign() * det >= 0;
+  return in_triangle && contains(searched, x.t());
+}
+
 // S^2 of a wrong answer, or nothing where the answer is not wrong or no severity is defined.
 std::optional<Quotient> squared_severity(const ExactCase& x, const Ray& ray, bool answered_hit) {
   const auto searched = range(ray);
   if (is_zero(x.normal) || !searched) return std::nullopt;
-  if (x.det.sign() == 0) {
-    if (!answered_hit || contact_in_range(x, ray)) return std::nullopt;
-    return squared_distance(x, *searched);
-  }
-  const int det = x.det.sign();
-  const bool in_triangle = x.w_ab.sign() * det >= 0 && x.w_bc.sign() * det >= 0 && x.w_ca.sign() * det >= 0;
-  const bool truth = in_triangle && contains(*searched, x.t());
-  if (truth == answered_hit) return std::nullopt;
+  const bool truth = meets(x, ray, *searched);
+  if (truth == answered_hit || (truth && x.det.sign() == 0)) return std::nullopt;
   return truth ? squared_depth(x, *searched) : squared_distance(x, *searched);
 }
 
@@ -112,8 +113,12 @@ Condition condition(const ExactCase& x, double largest) {
           .far = longest2 < limit2 * square(Dyadic(largest))};
 }
 
+// From the bits of the double, so that a value that is not binary32 is not rounded first.
 long ulp_exponent_at(double x, Precision precision) {
-  return precision == Precision::binary32 ? ulp_exponent(static_cast<float>(x)) : ulp_exponent(x);
+  if (precision == Precision::binary64) return ulp_exponent(x);
+  using F = FloatFormat<float>;
+  const int leading = ulp_exponent(x) + FloatFormat<double>::fraction_bits;  // too small for subnormals, as for binary32
+  return std::max(leading, F::min_exponent) - F::fraction_bits;
 }
 
 }  // namespace
@@ -133,13 +138,15 @@ std::optional<Severity> severity(const Triangle& triangle, const Ray& ray, bool 
 bool within_slack(const Triangle& triangle, const Ray& ray, double slack_absolute, double slack_relative) {
   if (why_invalid(triangle, ray) != Invalid::none) return false;
   const ExactCase x(triangle, ray);
-  const auto s2 = squared_severity(x, ray, true);
-  if (!s2) return false;
+  const auto searched = range(ray);
+  if (is_zero(x.normal) || !searched) return false;
+  if (meets(x, ray, *searched)) return true;
+  const Quotient s2 = squared_distance(x, *searched);
   // With L the longest edge: S <= abs + rel L  <=>  excess := S^2 - abs^2 - rel^2 L^2 <= 2 abs rel L; all of it is
   // multiplied by the denominator of S^2, and squared where excess > 0.
   const Dyadic absolute2 = square(Dyadic(slack_absolute)), relative2 = square(Dyadic(slack_relative));
-  const Dyadic longest2 = squared_longest_edge(x), &q = s2->denominator;
-  const Dyadic excess = s2->numerator - q * (absolute2 + relative2 * longest2);
+  const Dyadic longest2 = squared_longest_edge(x), &q = s2.denominator;
+  const Dyadic excess = s2.numerator - q * (absolute2 + relative2 * longest2);
   if (excess.sign() <= 0) return true;
   return square(excess) <= Dyadic(4, 0) * square(q) * absolute2 * relative2 * longest2;
 }

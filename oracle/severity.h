@@ -33,7 +33,8 @@ struct Severity {
 std::optional<Severity> severity(const Triangle& triangle, const Ray& ray, bool answered_hit, Precision precision);
 
 /// Whether a translation of the ray by at most slack_absolute + slack_relative * longest edge makes it hit the closed
-/// triangle, exactly. Both slacks are finite and >= 0.
+/// triangle, exactly; true of a ray that meets it as it is, false where the triangle has no area or the range no t. Both
+/// slacks are finite and >= 0.
 bool within_slack(const Triangle& triangle, const Ray& ray, double slack_absolute, double slack_relative);
 
 }  // namespace plumbline

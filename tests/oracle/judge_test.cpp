@@ -86,6 +86,16 @@ TEST(Judge, SlackExcusesAHitAndNoFurther) {
   EXPECT_EQ(verdict(inside, Outcome::miss, {.slack_absolute = 1}), VerdictKind::false_miss);
 }
 
+TEST(Judge, SlackExcusesWhatIsNearerToo) {
+  // Exactly on an open edge, at an open end, in the plane: no farther away than rays that slack excuses.
+  Ray at_end = inside;
+  at_end.t_max = 1;
+  EXPECT_EQ(verdict(on_edge, Outcome::hit, {.edges = EdgeRule::open, .slack_absolute = 0x1p-10}), VerdictKind::correct);
+  EXPECT_EQ(verdict(at_end, Outcome::hit, {.t_max = EndRule::open, .slack_absolute = 0x1p-10}), VerdictKind::correct);
+  EXPECT_EQ(verdict(in_plane, Outcome::hit, {.slack_absolute = 0x1p-10}), VerdictKind::correct);
+  EXPECT_EQ(verdict(on_edge, Outcome::hit, {.edges = EdgeRule::open}), VerdictKind::false_hit);
+}
+
 TEST(Judge, SlackHoldsForTheSearchedRange) {
   // The ray's own range ends before the plane, but the tracer doesn't read it: what is judged is [0, inf).
   const Ray near{{0.5, -0x1p-10, 1}, {0, 0, -1}, 0, 0.5};

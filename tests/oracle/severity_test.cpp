@@ -93,5 +93,22 @@ TEST(WithinSlack, IsDecidedExactly) {
   EXPECT_TRUE(within_slack(unit, outside, 0x1p-5, 0x1.6a09e667f3bcdp-6));
 }
 
+TEST(WithinSlack, IsTrueOfARayThatMeetsTheTriangle) {
+  EXPECT_TRUE(within_slack(unit, {{0.25, 0.25, 1}, {0, 0, -1}}, 0, 0));
+  EXPECT_TRUE(within_slack(unit, {{0.5, 0, 1}, {0, 0, -1}, 0, 1}, 0, 0));
+  EXPECT_TRUE(within_slack(unit, {{-1, 0.25, 0}, {1, 0, 0}}, 0, 0));  // in the plane
+  EXPECT_FALSE(within_slack({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{1, 0, 1}, {0, 0, -1}}, 8, 8));
+  EXPECT_FALSE(within_slack(unit, {{0.25, 0.25, 1}, {0, 0, -1}, 1, 0}, 8, 8));
+}
+
+TEST(Severity, UlpsOfBinary32AreThoseOfTheCoordinateAsItIs) {
+  // 0x1.fffffffp+0 would round up to 2; its binary32 ulp is 2^-23 all the same.
+  const Triangle t{{0, 0, 0}, {0x1.fffffffp+0, 0, 0}, {0, 1, 0}};
+  const Ray ray{{0.5, -0x1p-20, 1}, {0, 0, -1}};
+  EXPECT_EQ(severity(t, ray, true, Precision::binary32)->ulps, 0x1p+3);
+  const Triangle huge{{0, 0, 0}, {0x1p+130, 0, 0}, {0, 1, 0}};
+  EXPECT_EQ(severity(huge, ray, true, Precision::binary32)->ulps, 0x1p-127);
+}
+
 }  // namespace
 }  // namespace plumbline
