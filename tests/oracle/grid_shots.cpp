@@ -122,6 +122,9 @@ Shot draw_on_grids(Random& random, int point_bits, int direction_bits) {
   const std::array<IntVec, 3> corner = {s.a, s.b, s.c};
   Shot shot{{real(corner[turn]), real(corner[(turn + 1) % 3]), real(corner[(turn + 2) % 3])}, {real(s.o), real(s.d)}};
   if (random() % 2 == 0) std::swap(shot.triangle.b, shot.triangle.c);
+  for (Vec3* v : {&shot.triangle.a, &shot.triangle.b, &shot.triangle.c, &shot.ray.origin, &shot.ray.direction})
+    for (double* x : {&v->x, &v->y, &v->z})
+      if (*x == 0 && random() % 2 == 0) *x = -0.0;
   return shot;
 }
 

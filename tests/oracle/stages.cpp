@@ -18,8 +18,11 @@ LaneStages lane_stages(Isa isa) {
 }
 
 std::optional<Truth> ask_lanes(Isa isa, bool residue, const Batch& batch, std::size_t i) {
+  Batch one = batch;
+  one.skip(i);
+  one.size = 1;
   std::uint32_t undecided;
-  const LaneCounts left = lane_stages(isa)(batch, i, 1, &undecided);
+  const LaneCounts left = lane_stages(isa)(one, &undecided);
   if (residue ? left.past_residue != 0 : left.past_filter != 0) return std::nullopt;
   return batch.truths[i];
 }
@@ -100,10 +103,13 @@ BlockRun run_blocks(Isa isa, std::span<const Shot> shots, bool skip_filter) {
   BlockRun run;
   std::array<std::uint32_t, lane_block> undecided;
   for (std::size_t first = 0; first < shots.size(); first += lane_block) {
-    const LaneCounts left = lane_stages(isa)(batch, first, std::min(lane_block, shots.size() - first), undecided.data());
+    Batch block = batch;
+    block.size = std::min<std::size_t>(lane_block, batch.size);
+    const LaneCounts left = lane_stages(isa)(block, undecided.data());
     run.counts.past_filter += left.past_filter;
     run.counts.past_residue += left.past_residue;
-    for (std::size_t k = 0; k < left.past_residue; ++k) decided[undecided[k]] = false;
+    for (std::size_t k = 0; k < left.past_residue; ++k) decided[first + undecided[k]] = false;
+    batch.skip(block.size);
   }
   for (std::size_t i = 0; i < shots.size(); ++i)
     run.truths.push_back(decided[i] ? std::optional(truths[i]) : std::nullopt);
