@@ -1,8 +1,10 @@
 // Each stage alone against mpq, on every family: what it decides is right, and it decides what it is there for.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdio>
 
+#include "oracle/classify.h"
 #include "oracle/explain.h"
 #include "tests/judges/mpq_judge.h"
 #include "tests/judges/print.h"
@@ -29,7 +31,7 @@ class ForcedStages : public testing::TestWithParam<std::size_t> {
   // How many are decided.
   std::size_t check(const std::vector<std::optional<Truth>>& answers) const {
     std::size_t decided = 0;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < answers.size(); ++i) {
       if (!answers[i]) continue;
       ++decided;
       if (*answers[i] == expected[i]) continue;
@@ -102,6 +104,35 @@ TEST_P(ForcedStages, BlocksAnswerAsSingleCasesDo) {
     }
     EXPECT_EQ(run.counts.past_filter, left.past_filter);
     EXPECT_EQ(run.counts.past_residue, left.past_residue);
+  }
+}
+
+// Rays of other cases, some of them invalid, against the first triangles.
+TEST_P(ForcedStages, OneTriangleAgainstManyRays) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::vector<Shot> against = shots;
+    for (Shot& shot : against) shot.triangle = shots[k].triangle;
+    against[k + 5].ray.direction = {};
+    std::vector<Truth> each(count);
+    for (std::size_t i = 0; i < count; ++i) each[i] = classify(against[i].triangle, against[i].ray);
+    const Columns columns(against);
+    for (const Isa isa : all_isas()) {
+      std::vector<Truth> truths(count);
+      Batch batch = columns.batch(truths.data());
+      StageCounts counts;
+      classify(batch, isa, &counts);
+      EXPECT_EQ(truths, each) << name(isa);
+      EXPECT_EQ(counts.filter + counts.residue + counts.integer + counts.accumulate + counts.invalid, count);
+      EXPECT_GE(counts.invalid + counts.residue, 1u);
+      truths.assign(count, Truth{});
+      batch.one_triangle = true;
+      // Of a column of one triangle, the first value alone is read.
+      std::array<double, 9> corners{};
+      for (std::size_t c = 0; c < 9; ++c) corners[c] = batch.triangle[c][0];
+      for (std::size_t c = 0; c < 9; ++c) batch.triangle[c] = &corners[c];
+      classify(batch, isa, nullptr);
+      EXPECT_EQ(truths, each) << name(isa);
+    }
   }
 }
 
