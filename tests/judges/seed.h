@@ -1,5 +1,6 @@
-// The seed of the random tests.
+// The seeds of the random tests.
 #pragma once
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 
@@ -9,6 +10,13 @@ namespace plumbline::judges {
 inline std::uint64_t seed() {
   const char* text = std::getenv("PLUMBLINE_SEED");
   return text != nullptr ? std::strtoull(text, nullptr, 0) : 20260101;
+}
+
+/// PLUMBLINE_SEED, or the day, so that every night tests other cases; to be printed.
+inline std::uint64_t nightly_seed() {
+  if (std::getenv("PLUMBLINE_SEED") != nullptr) return seed();
+  const auto today = std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now());
+  return static_cast<std::uint64_t>(today.time_since_epoch().count());
 }
 
 }  // namespace plumbline::judges
