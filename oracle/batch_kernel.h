@@ -80,7 +80,7 @@ class BatchKernel {
     return product(p.x, q.x) + product(p.y, q.y) + product(p.z, q.z);
   }
 
-  static Real max_norm(const RealVec& v) { return L::max(L::max(L::abs(v.x), L::abs(v.y)), L::abs(v.z)); }
+  static Real max_norm(const RealVec& v) { return L::max_abs(L::max_abs(v.x, v.y), v.z); }
 
   template <class V>
   struct Determinants {
@@ -108,8 +108,8 @@ class BatchKernel {
   };
 
   /// Writes a truth for each lane; returns the mask of the lanes for which it is proved.
-  static Int filter(const Cases& s, Word& truth) {
-    constexpr double k46 = 0x1p-46, low = 0x1p-300, high = 0x1p+300;
+  [[gnu::always_inline]] static Int filter(const Cases& s, Word& truth) {
+    constexpr double infinity = __builtin_inf(), k46 = 0x1p-46, low = 0x1p-300, high = 0x1p+300;
     const Determinants<RealVec> x(s.o, s.d, s.a, s.b, s.c);
     const Real m_d = max_norm(s.d), m_a = max_norm(x.a), m_e = L::max(max_norm(x.e1), max_norm(x.e2));
     const Real least = L::min(L::min(m_d, m_a), m_e), most = L::max(L::max(m_d, m_a), m_e);
@@ -133,23 +133,28 @@ class BatchKernel {
     }
     const Int inside = crosses & (least_w > w_error) & (bc > w_bc_error);
 
+    const Word front = sign_byte(sign_bit != 0, Int{}, det_sign_at);
+    // The usual range, [0, inf): V(0) is T, and any t is below infinity. Bits tell zero, whatever DAZ says.
+    if (L::all_true((Int)((L::as_int(s.t_min) << 1) == 0) & (Int)(s.t_max == infinity))) {
+      const Word hit = front | sign_byte(T < 0.0, Int{}, t_min_at) | (Word{} + 0xff) << t_max_at;
+      truth = outside ? miss : hit;
+      return outside | (inside & (L::abs(T) > T_error));
+    }
     // V(tau), and whether its sign is proved. An infinite tau is answered by the difference's own sign.
     const auto versus = [&](Real tau, Int& known) {
       const Real v = T - tau * det, error = T_error + L::abs(tau) * det_error;
-      known = (Int)(L::abs(v) > error) | (Int)(L::as_int(L::abs(tau)) == 0x7ff0000000000000ll);
+      known = (Int)(L::abs(v) > error) | (Int)(L::abs(tau) == infinity);
       return v;
     };
     Int min_known, max_known;
     const Real past_min = versus(s.t_min, min_known), past_max = versus(s.t_max, max_known);
-
-    const Word hit = sign_byte(past_min < 0.0, Int{}, t_min_at) | sign_byte(past_max < 0.0, Int{}, t_max_at) |
-                     sign_byte(sign_bit != 0, Int{}, det_sign_at);
+    const Word hit = front | sign_byte(past_min < 0.0, Int{}, t_min_at) | sign_byte(past_max < 0.0, Int{}, t_max_at);
     truth = outside ? miss : hit;
     return outside | (inside & min_known & max_known);
   }
 
   /// The residue stage, of the same form.
-  static Int residue(const Cases& s, Word& truth) {
+  [[gnu::always_inline]] static Int residue(const Cases& s, Word& truth) {
     constexpr int point_bits = 30, direction_bits = 31, tau_shift = 6, tau_reach = 1 << 13;
     constexpr long long exponent_field = 0x7ff0000000000000ll, half = 0x0008000000000000ll;
     const auto magnitude = [](Real x) { return (Int)L::abs(x); };
@@ -261,7 +266,7 @@ class BatchDriver {
  private:
   void store(std::uint32_t i, Word truth) { std::memcpy(static_cast<void*>(batch_.truths + i), &truth, sizeof truth); }
 
-  typename Kernel::Cases load(std::uint32_t i) const {
+  [[gnu::always_inline]] typename Kernel::Cases load(std::uint32_t i) const {
     const auto ray = [&](int k) { return L::load(batch_.ray[k] + i); };
     const auto corner = [&](int k) { return batch_.one_triangle ? triangle_[k] : L::load(batch_.triangle[k] + i); };
     return {{ray(0), ray(1), ray(2)}, {ray(3), ray(4), ray(5)}, {corner(0), corner(1), corner(2)},
@@ -281,9 +286,9 @@ class BatchDriver {
   }
 
   void decide(std::uint32_t i) {
+    if (residue_first_) return decide_residue_first(i);
     Word truth{};
-    const unsigned all = (1u << W) - 1;
-    const unsigned open = batch_.skip_filter ? all : ~L::bits(Kernel::filter(load(i), truth)) & all;
+    const unsigned open = batch_.skip_filter ? all_lanes : ~L::bits(Kernel::filter(load(i), truth)) & all_lanes;
     store(i, truth);
     if (__builtin_expect(open != 0, 0)) decide_open(i, open, truth);
   }
@@ -296,12 +301,31 @@ class BatchDriver {
         sparse_[sparse_count_++] = i + static_cast<unsigned>(__builtin_ctz(rest));
       return;
     }
+    residue_first_ = !batch_.skip_filter;
     Word exact;
     const Int decided = Kernel::residue(load(i), exact);
-    truth = decided ? exact : truth;
-    store(i, truth);
-    for (unsigned rest = open & ~L::bits(decided); rest != 0; rest &= rest - 1)
-      undecided_[counts_.past_residue++] = i + static_cast<unsigned>(__builtin_ctz(rest));
+    store(i, decided ? exact : truth);
+    list_undecided(i, open & ~L::bits(decided));
+  }
+
+  // For data like lattices, of which the filter decides little.
+  [[gnu::noinline]] void decide_residue_first(std::uint32_t i) {
+    const auto cases = load(i);
+    Word exact, truth;
+    const Int decided = Kernel::residue(cases, exact);
+    const unsigned open = ~L::bits(decided) & all_lanes;
+    counts_.past_filter += W;
+    if (open == 0) return store(i, exact);
+    residue_first_ = __builtin_popcount(open) * 2 < W;
+    const unsigned filtered = L::bits(Kernel::filter(cases, truth)) & open;
+    counts_.past_filter -= static_cast<unsigned>(__builtin_popcount(filtered));
+    store(i, decided ? exact : truth);
+    list_undecided(i, open & ~filtered);
+  }
+
+  void list_undecided(std::uint32_t i, unsigned lanes) {
+    for (; lanes != 0; lanes &= lanes - 1)
+      undecided_[counts_.past_residue++] = i + static_cast<unsigned>(__builtin_ctz(lanes));
   }
 
   void residue_listed(const std::uint32_t* index, std::uint32_t n) {
@@ -331,8 +355,11 @@ class BatchDriver {
     }
   }
 
+  static constexpr unsigned all_lanes = (1u << W) - 1;
+
   const Batch& batch_;
   std::uint32_t* undecided_;
+  bool residue_first_ = false;  // what the last group was like
   typename L::Real triangle_[9];
   LaneCounts counts_;
   std::uint32_t sparse_count_ = 0;

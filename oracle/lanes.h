@@ -37,6 +37,14 @@ struct Lanes {
   /// Of a NaN operand, the second.
   static Real max(Real x, Real y) { return x > y ? x : y; }
   static Real min(Real x, Real y) { return x < y ? x : y; }
+  /// The larger magnitude; of a NaN and a number, either.
+  static Real max_abs(Real x, Real y) {
+#if defined(__AVX512DQ__)
+    if constexpr (W == 8) return (Real)_mm512_range_pd((__m512d)x, (__m512d)y, 0x0b);
+#endif
+    return max(abs(x), abs(y));
+  }
+  static bool all_true(Int mask) { return bits(mask) == (1u << W) - 1; }
   /// The product of the low halves, as signed 32-bit integers.
   static Int multiply_halves(Int x, Int y) {
 #if defined(__AVX512F__)
@@ -80,6 +88,8 @@ struct Lanes<1> {
   static Real abs(Real x) { return as_real(as_int(x) & 0x7fffffffffffffffll); }
   static Real max(Real x, Real y) { return x > y ? x : y; }
   static Real min(Real x, Real y) { return x < y ? x : y; }
+  static Real max_abs(Real x, Real y) { return max(abs(x), abs(y)); }
+  static bool all_true(Int mask) { return mask != 0; }
 };
 
 }  // namespace
