@@ -13,7 +13,10 @@ struct Int192 {
   std::uint64_t low = 0;
   Int128 high = 0;  ///< value = high * 2^64 + low
 
-  int sign() const { return high < 0 ? -1 : (high != 0 || low != 0) ? 1 : 0; }
+  int sign() const {  // without a branch: signs are what can't be predicted
+    const int negative = high < 0, zero = (low | static_cast<std::uint64_t>(high) | static_cast<std::uint64_t>(high >> 64)) == 0;
+    return 1 - zero - 2 * negative;
+  }
 };
 
 inline Int192 operator+(const Int192& x, const Int192& y) {
@@ -34,7 +37,7 @@ inline Int192 multiply(std::int64_t x, Int128 y) {
   const auto y_high = static_cast<std::int64_t>(y >> 64);
   // x as unsigned is x + 2^64 where it is negative.
   const auto product = static_cast<Word128>(static_cast<std::uint64_t>(x)) * y_low;
-  const auto wrapped = x < 0 ? y_low : std::uint64_t{0};
+  const auto wrapped = y_low & static_cast<std::uint64_t>(x >> 63);
   return {static_cast<std::uint64_t>(product),
           static_cast<Int128>(x) * y_high + static_cast<std::uint64_t>(product >> 64) - static_cast<Int128>(wrapped)};
 }

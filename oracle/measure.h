@@ -1,5 +1,6 @@
 // The numbers of a meeting: t, u, v as exact fractions and correctly rounded.
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 
@@ -17,6 +18,17 @@ struct Coordinates {
 /// No value where det == 0 (parallel, coplanar, degenerate) or the case is invalid. Real is float or double.
 template <class Real>
 std::optional<Coordinates<Real>> measure(const Triangle& triangle, const Ray& ray);
+
+/// origin + t * direction, each component rounded once, straight from its exact rational (not from the rounded t). There
+/// where measure is.
+template <class Real>
+std::optional<std::array<Real, 3>> hit_point(const Triangle& triangle, const Ray& ray);
+
+/// By how many units in the last place t, u and v as answered are off, each rounded correctly to binary64: the distance to
+/// the exact value, over the ulp of that value rounded to Real. Where the exact value is 0, the unit is the least normal
+/// number. An answer that is NaN or infinite is infinitely far off. There where measure is.
+template <class Real>
+std::optional<Coordinates<double>> ulp_errors(const Triangle& triangle, const Ray& ray, const Coordinates<Real>& answered);
 
 /// t as "p/q" in lowest terms, q > 0.
 std::optional<std::string> exact_t(const Triangle& triangle, const Ray& ray);

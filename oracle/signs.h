@@ -6,7 +6,7 @@ namespace plumbline {
 
 /// det != 0: class and feature from the signs of the w, each multiplied by the sign of det.
 inline void place(Truth& truth, int ab, int bc, int ca) {
-  if (ab < 0 || bc < 0 || ca < 0) {
+  if ((ab | bc | ca) < 0) {
     truth.hit_class = HitClass::exterior;
     return;
   }
