@@ -8,17 +8,35 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 #include "case/input_error.h"
+#include "cli/part_files.h"
 
 namespace plumbline {
 namespace {
 
 constexpr std::size_t buffer_size = 1 << 16;
 
-bool exists_as_special_file(const std::string& path) {
-  struct stat status {};
-  return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+// Where the links of `path`, which are no ring, lead to; there need not be anything.
+std::filesystem::path without_links(std::filesystem::path path) {
+  while (std::filesystem::is_symlink(path)) path = path.parent_path() / std::filesystem::read_symlink(path);
+  return path;
+}
+
+std::string_view fix(int error) {
+  switch (error) {
+    case ENOENT:
+      return "; make its folder first";
+    case EISDIR:
+      return "; name a file in it";
+    case ENOSPC:
+      return "; make room, or write elsewhere";
+    case EPIPE:
+      return "";
+    default:
+      return "; write elsewhere";
+  }
 }
 
 }  // namespace
@@ -28,12 +46,19 @@ Output::Output(std::string path) : path_(std::move(path)) {
     descriptor_ = STDOUT_FILENO;
     return;
   }
-  if (!exists_as_special_file(path_)) part_ = fmt::format("{}.{}.part", path_, getpid());
-  const std::string& target = part_.empty() ? path_ : part_;
-  descriptor_ = open(target.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  struct stat status {};
+  const bool exists = stat(path_.c_str(), &status) == 0;
+  if (!exists && errno != ENOENT) fail("cannot be opened for writing", errno);
+  target_ = without_links(path_);
+  if (!exists || S_ISREG(status.st_mode)) {
+    part_ = fmt::format("{}.{}.part", target_, getpid());
+    remove_on_signal(part_.c_str());
+  }
+  descriptor_ = open((part_.empty() ? target_ : part_).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor_ < 0) {
-    part_.clear();
-    fail("cannot be opened for writing", errno);
+    const int error = errno;
+    forget_part();
+    fail("cannot be opened for writing", error);
   }
 }
 
@@ -46,7 +71,9 @@ Output::~Output() {
     return;
   }
   if (descriptor_ >= 0) close(descriptor_);
-  if (!part_.empty()) unlink(part_.c_str());
+  if (part_.empty()) return;
+  unlink(part_.c_str());
+  forget_part();
 }
 
 void Output::write(std::string_view text) {
@@ -76,12 +103,19 @@ void Output::finish() {
   descriptor_ = -1;
   if (close(descriptor) != 0) fail("cannot be written", errno);
   if (part_.empty()) return;
-  if (rename(part_.c_str(), path_.c_str()) != 0) fail("cannot be put in place", errno);
+  if (rename(part_.c_str(), target_.c_str()) != 0) fail("cannot be put in place", errno);
+  forget_part();
+}
+
+void Output::forget_part() {
+  if (part_.empty()) return;
+  keep_on_signal(part_.c_str());
   part_.clear();
 }
 
 void Output::fail(const char* what, int error) const {
-  throw InputError(fmt::format("{}: {}: {}", path_ == "-" ? "standard output" : path_, what, std::strerror(error)));
+  throw InputError(
+      fmt::format("{}: {}: {}{}", path_ == "-" ? "standard output" : path_, what, std::strerror(error), fix(error)));
 }
 
 }  // namespace plumbline

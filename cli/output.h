@@ -1,5 +1,5 @@
 // Where a verb's data goes: standard output, or a file that appears whole or not at all.
-// Every write is checked; throws InputError that names the place (full disk, closed pipe, no such directory).
+// Every write is checked; throws InputError that names the place and the fix (full disk, closed pipe, no such folder).
 #pragma once
 #include <string>
 #include <string_view>
@@ -8,8 +8,8 @@ namespace plumbline {
 
 class Output {
  public:
-  /// "-" is standard output. A file is written beside its final place and moved there by finish(); what is there
-  /// already and is no regular file (a device, a pipe) is written directly.
+  /// "-" is standard output. A file is written beside its final place and moved there by finish(); links on the way
+  /// there stay. What is there already and is no regular file (a device, a pipe) is written directly.
   explicit Output(std::string path = "-");
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
@@ -23,10 +23,12 @@ class Output {
   void finish();
 
  private:
+  void forget_part();
   [[noreturn]] void fail(const char* what, int error) const;
 
-  std::string path_;
-  std::string part_;  // the file beside it, until finish()
+  std::string path_;    // as given
+  std::string target_;  // where its links lead to
+  std::string part_;    // the file beside that, until finish()
   std::string buffer_;
   int descriptor_ = -1;
 };

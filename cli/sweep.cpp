@@ -6,6 +6,7 @@
 #include <csignal>
 #include <deque>
 #include <filesystem>
+#include <map>
 #include <thread>
 
 #include "analysis/sweep_table.h"
@@ -30,10 +31,11 @@ struct SweepOptions {
 };
 
 std::atomic<bool> interrupted = false;
+void (*meant)(int) = SIG_DFL;  // what an interrupt did before
 
 void interrupt(int) {
   interrupted = true;
-  std::signal(SIGINT, SIG_DFL);  // the second time it is meant
+  std::signal(SIGINT, meant);  // the second time it is
 }
 
 void show_progress(std::uint64_t done, std::uint64_t planned) {
@@ -68,48 +70,77 @@ SweepPlan plan_of(const SweepOptions& options) {
 
 using Render = std::string (*)(const SweepResult&);
 
-struct Destination {
+struct File {
   std::string path;
   Render render;
 };
 
-// Standard output comes first.
-std::vector<Destination> destinations_of(const SweepOptions& options) {
-  std::vector<Destination> list = {{"-", options.json ? to_json_lines : Render(to_terminal)}};
-  if (!options.csv.empty()) list.push_back({options.csv, to_csv});
-  if (!options.markdown.empty()) list.push_back({options.markdown, to_markdown});
+std::vector<File> files_of(const SweepOptions& options) {
+  std::vector<File> files;
+  if (!options.csv.empty()) files.push_back({options.csv, to_csv});
+  if (!options.markdown.empty()) files.push_back({options.markdown, to_markdown});
   if (!options.directory.empty()) {
-    std::filesystem::create_directories(options.directory);
-    list.push_back({options.directory + "/table.md", to_markdown});
-    list.push_back({options.directory + "/sweep.csv", to_csv});
-    list.push_back({options.directory + "/sweep.json", to_json_lines});
+    files.push_back({options.directory + "/table.md", to_markdown});
+    files.push_back({options.directory + "/sweep.csv", to_csv});
+    files.push_back({options.directory + "/sweep.json", to_json_lines});
   }
-  return list;
+  return files;
+}
+
+// What can't be told is told where the file is opened.
+std::filesystem::path place_of(const std::filesystem::path& path) {
+  if (path == "-") return path;
+  std::error_code error;
+  const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
+  return error ? path : place;
+}
+
+void check_distinct(const std::vector<File>& files) {
+  std::map<std::filesystem::path, std::string> seen = {{"-", "the table"}};
+  for (const File& file : files) {
+    const auto [it, is_new] = seen.emplace(place_of(file.path), file.path);
+    if (!is_new) throw InputError(fmt::format("{}: goes where {} goes; name another file", file.path, it->second));
+  }
+}
+
+void make_directory(const std::string& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error)
+    throw InputError(fmt::format("{}: cannot be made a folder: {}; write elsewhere", directory, error.message()));
 }
 
 void run_sweep(const SweepOptions& options) {
   const SweepPlan plan = plan_of(options);
   check(plan);
-  const auto destinations = destinations_of(options);
+  const auto files = files_of(options);
+  check_distinct(files);
+  if (!options.directory.empty()) make_directory(options.directory);
   std::deque<Output> outputs;  // opened before the work: better told now than in an hour
-  for (const Destination& destination : destinations) outputs.emplace_back(destination.path);
+  for (const File& file : files) outputs.emplace_back(file.path);
 
+  meant = std::signal(SIGINT, SIG_IGN);
   std::signal(SIGINT, interrupt);
   const bool terminal = isatty(STDERR_FILENO) != 0;
   const SweepResult result = sweep(plan, interrupted, terminal ? show_progress : SweepProgress());
-  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGINT, meant);
   if (terminal) fmt::print(stderr, "\r\x1b[K");  // the progress goes, the table comes
 
   const bool partial = result.done.end != plan.triples.end;
-  if (partial) outputs.resize(1);
-  for (std::size_t i = 0; i < outputs.size(); ++i) outputs[i].write(destinations[i].render(result));
-  for (Output& output : outputs) output.flush();
+  if (partial) outputs.clear();
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    outputs[i].write(files[i].render(result));
+    outputs[i].flush();
+  }
+  Output table;  // behind the files: one that can't be written is better told without it
+  table.write(options.json ? to_json_lines(result) : to_terminal(result));
+  table.finish();
   for (Output& output : outputs) output.finish();
   if (partial)
     throw std::runtime_error(
-        fmt::format("interrupted: this is of the triples {} to {} only, and no file is written; take it "
-                    "up with --first {}",
-                    result.done.first, result.done.end, result.done.end));
+        fmt::format("interrupted: this is of the triples [{}, {}) only, and no file is written; take it "
+                    "up with --first {} --count {}",
+                    result.done.first, result.done.end, result.done.end, plan.triples.end - result.done.end));
 }
 
 }  // namespace

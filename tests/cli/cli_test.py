@@ -4,8 +4,10 @@ PLUMBLINE names the program under test, PLUMBLINE_CORPUS the folder corpus/."""
 import json
 import os
 import pathlib
+import signal
 import subprocess
 import tempfile
+import time
 import unittest
 
 PROGRAM = os.environ["PLUMBLINE"]
@@ -307,13 +309,39 @@ class Everywhere(CliTest):
         self.assertEqual(path.read_text(), whole)
         self.assertEqual(os.listdir(self.folder), ["out.ndjson"])
 
+    def test_output_through_links_keeps_them(self):
+        (self.folder / "deep").mkdir()
+        for target in ("deep/there", "deep/not_yet"):
+            with self.subTest(target):
+                link, further = self.folder / f"{target[5:]}.link", self.folder / f"{target[5:]}.further"
+                link.symlink_to(target)
+                further.symlink_to(link)
+                if target == "deep/there":
+                    self.write(target, "old")
+                self.assertEqual(run("classify", "-", "-o", further, text=question(1, "[0,0,1]")).returncode, 0)
+                self.assertEqual((os.readlink(link), os.readlink(further)), (target, str(link)))
+                self.assertEqual((self.folder / target).read_text().count("\n"), 1)
+        self.assertEqual(sorted(os.listdir(self.folder / "deep")), ["not_yet", "there"])
+        (self.folder / "ring").symlink_to("ring")
+        self.assert_trouble(run("classify", "-", "-o", self.folder / "ring"), "Too many levels of symbolic links")
+
+    def test_signals_leave_no_unfinished_file(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            with self.subTest(number), subprocess.Popen([PROGRAM, "classify", "-", "-o", self.folder / "out"],
+                                                        stdin=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+                while not os.listdir(self.folder):
+                    time.sleep(0.01)
+                process.send_signal(number)
+                self.assertEqual(process.wait(timeout=60), -number)
+                self.assertEqual(os.listdir(self.folder), [])
+
     def test_output_trouble(self):
         text = question(1, "[0,0,1]")
         self.assert_trouble(run("classify", "-", "-o", self.folder / "no" / "out", text=text),
-                            "No such file or directory")
-        self.assert_trouble(run("classify", "-", "-o", self.folder, text=text), "Is a directory")
+                            "No such file or directory; make its folder first")
+        self.assert_trouble(run("classify", "-", "-o", self.folder, text=text), "Is a directory; name a file in it")
         self.assert_trouble(run("classify", "-", "-o", "/dev/full", text=text),
-                            "/dev/full: cannot be written: No space left")
+                            "/dev/full: cannot be written: No space left on device; make room, or write elsewhere")
         for arguments in (["classify", "-"], ["tracers"], ["--help"], ["sweep", "--tracer", "exact", "--json"]):
             with self.subTest(arguments), open("/dev/full", "w", encoding="utf-8") as full:
                 result = subprocess.run([PROGRAM, *arguments], input=text, stdout=full, stderr=subprocess.PIPE,

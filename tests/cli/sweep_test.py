@@ -4,10 +4,12 @@ import csv
 import io
 import json
 import pathlib
+import re
 import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 PROGRAM = sys.argv.pop()
@@ -75,24 +77,52 @@ class Sweep(unittest.TestCase):
                 (["--first", "512"], "triples 0 to 511"),
                 (["--first", "-1"], "--first"),
                 (["--count", "513"], "only 512"),
-                (["--csv", str(self.directory / "no" / "x.csv")], "x.csv")):
+                (["--csv", str(self.directory / "no" / "x.csv")], "x.csv: cannot be opened for writing: No such"),
+                (["--csv", "/dev/full"], "/dev/full: cannot be written: No space left on device; make room"),
+                (["--csv", "-"], "-: goes where the table goes; name another file"),
+                (["--csv", "same", "--markdown", "./same"], "./same: goes where same goes"),
+                (["--csv", str(into / "sweep.csv")], "goes where")):
             done = plumbline("sweep", "-o", str(into), *arguments)
             self.assertEqual((done.returncode, done.stdout), (2, ""), arguments)
             self.assertRegex(done.stderr, r"\Aplumbline: [^\n]*\n\Z", arguments)
             self.assertIn(words, done.stderr)
             self.assertEqual(list(into.iterdir()) if into.exists() else [], [], arguments)
 
+    def test_folder_that_cannot_be_made(self):
+        done = plumbline("sweep", "-o", "/dev/null/x")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (
+            2, "", "plumbline: /dev/null/x: cannot be made a folder: Not a directory; write elsewhere\n"))
+
     def test_interrupted_says_where_to_go_on(self):
         sweep = [PROGRAM, "sweep", "--step", "0.05", "--tracer", "exact", "--json", "-o", str(self.directory)]
+        sweep += ["--first", "1000", "--count", "300000000000"]
         with subprocess.Popen(sweep, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:
             with self.assertRaises(subprocess.TimeoutExpired):
                 running.wait(1)
             running.send_signal(signal.SIGINT)
             out, err = running.communicate(timeout=60)
         self.assertEqual(running.returncode, 2)
-        self.assertRegex(err, r"\Aplumbline: interrupted: .* --first \d+\n\Z")
+        said = re.fullmatch(r"plumbline: interrupted: this is of the triples \[1000, (\d+)\) only, .* "
+                            r"--first (\d+) --count (\d+)\n", err)
+        self.assertTrue(said, err)
+        end, first, count = map(int, said.groups())
+        self.assertEqual((first, first + count), (end, 300000001000))
         self.assertEqual(len(out.splitlines()), 5)
         self.assertEqual(list(self.directory.iterdir()), [])
+
+    def test_ended_leaves_no_unfinished_file(self):
+        for signals in ([signal.SIGTERM], [signal.SIGINT, signal.SIGINT]):
+            with self.subTest(signals), subprocess.Popen(
+                    [PROGRAM, "sweep", "--step", "0.05", *(["--standoff"] + [str(h) for h in range(1, 2000)]),
+                     "-o", str(self.directory)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as running:
+                with self.assertRaises(subprocess.TimeoutExpired):
+                    running.wait(1)
+                self.assertEqual(len(list(self.directory.iterdir())), 3)
+                for number in signals:
+                    running.send_signal(number)
+                    time.sleep(0.1)
+                self.assertEqual(running.wait(timeout=60), -signals[-1])
+                self.assertEqual(list(self.directory.iterdir()), [])
 
     def test_lattice_prints_every_triangle(self):
         rows = list(csv.DictReader(io.StringIO(plumbline("lattice").stdout)))
