@@ -1,5 +1,5 @@
-// An independent judge: the direct formula of the contract in GMP's mpq_class, nothing factored out, nothing scaled. About
-// 10 us a case, so that tens of millions can be asked. Call it in the default floating-point environment.
+// An independent judge: the direct formula of the contract in GMP's mpq_class, nothing factored out, nothing scaled.
+// About 10 us a case, so that tens of millions can be asked. Call it in the default floating-point environment.
 #pragma once
 #include <gmpxx.h>
 

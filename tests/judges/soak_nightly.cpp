@@ -1,4 +1,5 @@
-// A hundred million cases of the families against mpq, in batches of each instruction set in turn; other ones every day.
+// A hundred million cases of the families against mpq, in batches of each instruction set in turn; other ones every
+// day.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -28,7 +29,8 @@ TEST_P(Soak, MpqAgrees) {
     classify(Columns(shots).batch(truths.data()), all_isas()[k % all_isas().size()], nullptr);
     for (std::uint64_t i = 0; i < chunk; ++i) {
       const auto& [triangle, ray] = shots[i];
-      const Truth expected = ray.direction == Vec3{} ? Truth{.invalid = Invalid::zero_direction} : mpq_truth(triangle, ray);
+      const Truth expected =
+          ray.direction == Vec3{} ? Truth{.invalid = Invalid::zero_direction} : mpq_truth(triangle, ray);
       ASSERT_EQ(truths[i], expected) << "index " << k * chunk + i << '\n' << explain(triangle, ray);
     }
   }

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Tests the tests: applies each mutant of mutants.py to a copy of the sources, builds stages_test there and runs it. The
-suite has to fail. Survivors are listed; exit 1 if one has no explanation, 2 if the sources do not build or pass as they are.
+"""Tests the tests: applies each mutant of mutants.py to a copy of the sources, builds stages_test there and runs it,
+which has to fail. Survivors are listed; exit 1 if one has no explanation, 2 if the sources do not build or pass as they are.
 
     mutate.py --work DIR [--only TEXT] [--jobs N]
 
@@ -51,7 +51,9 @@ class Copy:
         if ran.returncode == 0:
             return None
         failed = [line for line in ran.stdout.splitlines() if line.startswith("[  FAILED  ]")]
-        return failed[0].removeprefix("[  FAILED  ] ").split(",")[0].split(" (")[0] if failed else f"crash ({ran.returncode})"
+        if not failed:
+            return f"a crash ({ran.returncode})"
+        return failed[0].removeprefix("[  FAILED  ] ").split(",")[0].split(" (")[0]
 
 
 def sync(source, target):
@@ -114,7 +116,8 @@ def main():
         else:
             survivors.append((mutant, "survived"))
         verdict = f"killed by {failure}" if failure else "SURVIVED" + (", as explained" if len(mutant) == 4 else "")
-        print(f"{number}/{len(chosen)} {file}: {old!r} -> {new!r}: {verdict} ({time.monotonic() - start:.0f} s)", flush=True)
+        seconds = time.monotonic() - start
+        print(f"{number}/{len(chosen)} {file}: {old!r} -> {new!r}: {verdict} ({seconds:.0f} s)", flush=True)
 
     print(f"\n{killed} of {len(chosen)} killed, {len(explained)} survive with a reason, {len(survivors)} without")
     for file, old, new, reason in explained:

@@ -38,8 +38,10 @@ Shot draw_shot(Draw x) {
 }
 
 TEST(Accumulator, ExtremeNumbersInEveryPlace) {
-  constexpr std::array extremes = {0.0,           least,   2 * least,           normal,  normal - least, 1.0,
-                                   1 + 0x1p-52, 1 - 0x1p-53, 0x1.fffffffffffffp+0, largest, 0x1p+1023,      0x1.ffffffffffffep+1023};
+  constexpr std::array extremes = {0.0,         least,          2 * least,
+                                   normal,      normal - least, 1.0,
+                                   1 + 0x1p-52, 1 - 0x1p-53,    0x1.fffffffffffffp+0,
+                                   largest,     0x1p+1023,      0x1.ffffffffffffep+1023};
   Random random(judges::seed());
   std::printf("seed %llu\n", static_cast<unsigned long long>(judges::seed()));
   for (int i = 0; i < 8000; ++i) {
@@ -66,11 +68,13 @@ TEST(Accumulator, LongCarries) {
   }
 }
 
-// An exact meeting with an edge, with a remainder at any distance below: t = 1 and every sign hangs on one small number.
+// An exact meeting with an edge, with a remainder at any distance below: t = 1 and every sign hangs on one small
+// number.
 TEST(Accumulator, OneSmallNumberDecides) {
   Random random(judges::seed() + 2);
   for (int i = 0; i < 8000; ++i) {
-    Shot shot = draw_on_grids(random, static_cast<int>(uniform(random, 1, 53)), static_cast<int>(uniform(random, 1, 53)));
+    Shot shot =
+        draw_on_grids(random, static_cast<int>(uniform(random, 1, 53)), static_cast<int>(uniform(random, 1, 53)));
     shot = scaled(shot, static_cast<int>(uniform(random, -400, 900)), static_cast<int>(uniform(random, -400, 900)));
     std::vector<double*> all;
     for (Vec3* v : {&shot.ray.origin, &shot.ray.direction, &shot.triangle.a, &shot.triangle.b, &shot.triangle.c})
@@ -78,7 +82,8 @@ TEST(Accumulator, OneSmallNumberDecides) {
         if (*x == 0) all.push_back(x);
     const double small = std::ldexp(random() % 2 == 0 ? 1.0 : -1.0, static_cast<int>(uniform(random, -1074, 500)));
     if (!all.empty()) *all[random() % all.size()] = small;
-    shot.ray.t_max = std::ldexp(static_cast<double>(uniform(random, 1, 3)), static_cast<int>(uniform(random, -1074, 1000)));
+    shot.ray.t_max =
+        std::ldexp(static_cast<double>(uniform(random, 1, 3)), static_cast<int>(uniform(random, -1074, 1000)));
     ASSERT_NO_FATAL_FAILURE(expect_right(shot));
   }
 }
@@ -94,6 +99,14 @@ TEST(Accumulator, TermsOfNearlyOneSize) {
       return random() % 8 == 0 ? 0.0 : random() % 2 == 0 ? x : -x;
     })));
   }
+}
+
+// The terms of det next to the largest are 2^5 smaller by their estimates, and yet outweigh it.
+TEST(Accumulator, ManySmallTermsOutweighTheLeader) {
+  constexpr double ones = 0x1.fffffffffffffp+0;
+  const Shot shot{{{-ones / 2, 0, -0x1p-4}, {2 * ones, -8 * ones, -0x1p+4}, {ones / 2, 0x1p+1, ones / 16}},
+                  {{-0x1p-3, -0x1p-2, 0}, {-0x1p+2, -ones / 2, ones}}};
+  ASSERT_NO_FATAL_FAILURE(expect_right(shot));
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace {
 
 void print_row(Measured m, const char* mode, const Worst& worst) {
   const auto& [t, r] = worst.shot;
-  std::printf("    // %g\n    {Measured::%s, %s, {{", worst.ratio, measured_names[static_cast<std::size_t>(m)].data(), mode);
+  std::printf("    // %g\n    {Measured::%s, %s, {{", worst.ratio, measured_names[static_cast<std::size_t>(m)].data(),
+              mode);
   const auto print = [](const Vec3& v, const char* after) { std::printf("{%a, %a, %a}%s", v.x, v.y, v.z, after); };
   print(t.a, ", "), print(t.b, ", "), print(t.c, "}, {"), print(r.origin, ", "), print(r.direction, "");
   if (m == Measured::V || m == Measured::V_alone) std::printf(", %a", r.t_min);
@@ -21,8 +22,9 @@ void print_row(Measured m, const char* mode, const Worst& worst) {
 TEST(FilterErrorNightly, WrongSignsStayBelowHalfTheBound) {
   Random random(judges::seed() + 1);
   for (std::size_t m = 0; m < measured_names.size(); ++m)
-    for (const auto& [mode, mode_name] : {std::pair{FE_TONEAREST, "FE_TONEAREST"}, std::pair{FE_UPWARD, "FE_UPWARD"},
-                                          std::pair{FE_DOWNWARD, "FE_DOWNWARD"}, std::pair{FE_TOWARDZERO, "FE_TOWARDZERO"}}) {
+    for (const auto& [mode, mode_name] :
+         {std::pair{FE_TONEAREST, "FE_TONEAREST"}, std::pair{FE_UPWARD, "FE_UPWARD"},
+          std::pair{FE_DOWNWARD, "FE_DOWNWARD"}, std::pair{FE_TOWARDZERO, "FE_TOWARDZERO"}}) {
       const auto measured = static_cast<Measured>(m);
       const Worst worst = climb(measured, Objective::wrong_side, {.rounding = mode}, random, 5000000);
       print_row(measured, mode_name, worst);

@@ -40,13 +40,19 @@ struct Exact {
 
 Quad exact_value(const Exact& y, Measured measured) {
   switch (measured) {
-    case Measured::det: return y.det;
-    case Measured::T: return y.T;
-    case Measured::w_ab: return y.w_ab;
-    case Measured::w_bc: return y.w_bc;
-    case Measured::w_ca: return y.w_ca;
+    case Measured::det:
+      return y.det;
+    case Measured::T:
+      return y.T;
+    case Measured::w_ab:
+      return y.w_ab;
+    case Measured::w_bc:
+      return y.w_bc;
+    case Measured::w_ca:
+      return y.w_ca;
     case Measured::V:
-    case Measured::V_alone: return y.V;
+    case Measured::V_alone:
+      return y.V;
   }
   return 0;
 }
@@ -57,13 +63,20 @@ struct Measure {
 
 Measure measure(const FilterValues& x, Measured measured) {
   switch (measured) {
-    case Measured::det: return {x.det, x.det_bound};
-    case Measured::T: return {x.T, x.T_bound};
-    case Measured::w_ab: return {x.w_ab, x.w_bound};
-    case Measured::w_bc: return {x.w_bc, x.w_bc_bound};
-    case Measured::w_ca: return {x.w_ca, x.w_bound};
-    case Measured::V: return {x.V, x.V_bound};
-    case Measured::V_alone: return {x.V, x.T_bound};
+    case Measured::det:
+      return {x.det, x.det_bound};
+    case Measured::T:
+      return {x.T, x.T_bound};
+    case Measured::w_ab:
+      return {x.w_ab, x.w_bound};
+    case Measured::w_bc:
+      return {x.w_bc, x.w_bc_bound};
+    case Measured::w_ca:
+      return {x.w_ca, x.w_bound};
+    case Measured::V:
+      return {x.V, x.V_bound};
+    case Measured::V_alone:
+      return {x.V, x.T_bound};
   }
   return {};
 }
@@ -74,12 +87,17 @@ bool otherwise_certain(const FilterValues& x, Measured measured) {
     return std::fabs(x.w_ab) > x.w_bound && std::fabs(x.w_ca) > x.w_bound && std::fabs(x.w_bc) > x.w_bc_bound;
   const double s = std::copysign(1.0, x.det);
   return std::fabs(x.det) > x.det_bound && (measured == Measured::w_ab || s * x.w_ab > x.w_bound) &&
-         (measured == Measured::w_ca || s * x.w_ca > x.w_bound) && (measured == Measured::w_bc || s * x.w_bc > x.w_bc_bound);
+         (measured == Measured::w_ca || s * x.w_ca > x.w_bound) &&
+         (measured == Measured::w_bc || s * x.w_bc > x.w_bc_bound);
 }
 
-Vec3 mix(const Vec3& p, double k, const Vec3& q, double l) { return {k * p.x + l * q.x, k * p.y + l * q.y, k * p.z + l * q.z}; }
+Vec3 mix(const Vec3& p, double k, const Vec3& q, double l) {
+  return {k * p.x + l * q.x, k * p.y + l * q.y, k * p.z + l * q.z};
+}
 
-double unit(Random& random) { return static_cast<double>(uniform(random, -(1ll << 53) + 1, (1ll << 53) - 1)) * 0x1p-53; }
+double unit(Random& random) {
+  return static_cast<double>(uniform(random, -(1ll << 53) + 1, (1ll << 53) - 1)) * 0x1p-53;
+}
 
 // A start at which the measured value is nearly zero.
 Shot start(Measured measured, Random& random) {
@@ -90,10 +108,18 @@ Shot start(Measured measured, Random& random) {
   const double k = part();
   Vec3 target = mix(mix(a, k, b, 1 - k), part(), c, 0);
   switch (measured) {
-    case Measured::det: s.ray.direction = mix(mix(b, 1, a, -1), unit(random), mix(c, 1, a, -1), unit(random)); return s;
-    case Measured::w_ab: target = mix(a, k, b, 1 - k); break;
-    case Measured::w_bc: target = mix(b, k, c, 1 - k); break;
-    case Measured::w_ca: target = mix(c, k, a, 1 - k); break;
+    case Measured::det:
+      s.ray.direction = mix(mix(b, 1, a, -1), unit(random), mix(c, 1, a, -1), unit(random));
+      return s;
+    case Measured::w_ab:
+      target = mix(a, k, b, 1 - k);
+      break;
+    case Measured::w_bc:
+      target = mix(b, k, c, 1 - k);
+      break;
+    case Measured::w_ca:
+      target = mix(c, k, a, 1 - k);
+      break;
     case Measured::T:
     case Measured::V:
     case Measured::V_alone: {
@@ -115,17 +141,24 @@ Shot start(Measured measured, Random& random) {
 
 std::array<double*, 15> coordinates(Shot& s) {
   auto& [t, r] = s;
-  return {&t.a.x, &t.a.y, &t.a.z, &t.b.x, &t.b.y, &t.b.z, &t.c.x, &t.c.y, &t.c.z, &r.origin.x, &r.origin.y, &r.origin.z,
-          &r.direction.x, &r.direction.y, &r.direction.z};
+  return {&t.a.x, &t.a.y,      &t.a.z,      &t.b.x,      &t.b.y,         &t.b.z,         &t.c.x,        &t.c.y,
+          &t.c.z, &r.origin.x, &r.origin.y, &r.origin.z, &r.direction.x, &r.direction.y, &r.direction.z};
 }
 
 void change(double& x, Random& random) {
   double y = x;
   switch (random() % 4) {
-    case 0: y = step_ulps(x, uniform(random, -2, 2)); break;
-    case 1: y = step_ulps(x, (random() % 2 == 0 ? 1 : -1) * (std::int64_t{1} << random() % 52)); break;
-    case 2: y = x + std::ldexp(unit(random), -static_cast<int>(random() % 50)); break;
-    default: y = unit(random) * (random() % 4 == 0 ? 0.25 : 1);
+    case 0:
+      y = step_ulps(x, uniform(random, -2, 2));
+      break;
+    case 1:
+      y = step_ulps(x, (random() % 2 == 0 ? 1 : -1) * (std::int64_t{1} << random() % 52));
+      break;
+    case 2:
+      y = x + std::ldexp(unit(random), -static_cast<int>(random() % 50));
+      break;
+    default:
+      y = unit(random) * (random() % 4 == 0 ? 0.25 : 1);
   }
   if (std::fabs(y) > least_coordinate && std::fabs(y) < largest_coordinate) x = y;
 }
@@ -150,13 +183,15 @@ double ratio(const Shot& shot, Measured measured, Objective objective, const Flo
   }
   const auto [computed, bound] = measure(x, measured);
   const Quad exact = exact_value(Exact(shot), measured);
-  if (objective == Objective::error) return static_cast<double>((computed > exact ? computed - exact : exact - computed) / bound);
+  if (objective == Objective::error)
+    return static_cast<double>((computed > exact ? computed - exact : exact - computed) / bound);
   if (!otherwise_certain(x, measured)) return -std::numeric_limits<double>::infinity();
   const bool wrong = computed > 0 ? exact <= 0 : exact >= 0;
   return (wrong ? 1 : -1) * std::fabs(computed) / bound;
 }
 
-Worst climb(Measured measured, Objective objective, const FloatEnvironment& environment, Random& random, int evaluations) {
+Worst climb(Measured measured, Objective objective, const FloatEnvironment& environment, Random& random,
+            int evaluations) {
   constexpr int patience = 4000;
   Worst best;
   while (evaluations > 0) {

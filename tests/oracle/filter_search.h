@@ -9,13 +9,15 @@
 
 namespace plumbline {
 
-/// A determinant of the filter, and the bound it is measured by. V_alone: V by the bound of T, as if that of det had no part.
+/// A determinant of the filter, and the bound it is measured by. V_alone: V by the bound of T, as if that of det had no
+/// part.
 enum class Measured : unsigned char { det, T, w_ab, w_bc, w_ca, V, V_alone };
 inline constexpr std::array<std::string_view, 7> measured_names = {"det", "T", "w_ab", "w_bc", "w_ca", "V", "V_alone"};
 
 enum class Objective : unsigned char {
   error,       ///< |computed - exact| / bound
-  wrong_side,  ///< |computed| / bound where exact is zero or has the other sign, and all that the decision needs besides is certain
+  wrong_side,  ///< |computed| / bound where exact is zero or has the other sign, and all that the decision needs
+               ///< besides is certain
 };
 
 /// In the given rounding mode; for wrong_side negative where computed has the right sign.
@@ -25,6 +27,7 @@ struct Worst {
   double ratio = 0;
   Shot shot;
 };
-Worst climb(Measured measured, Objective objective, const FloatEnvironment& environment, Random& random, int evaluations);
+Worst climb(Measured measured, Objective objective, const FloatEnvironment& environment, Random& random,
+            int evaluations);
 
 }  // namespace plumbline

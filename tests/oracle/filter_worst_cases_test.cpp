@@ -1,11 +1,15 @@
-// The filter where its rounding errors come nearest to its bounds: cases found by filter_error_nightly, in which a determinant is
-// computed with the wrong sign, more than 1/16 of its bound from zero, while all else is certain. With a bound 16 times
-// smaller the filter would decide each of them, and wrongly.
+// The filter where its rounding errors come nearest to its bounds: cases found by filter_error_nightly, in which a
+// determinant is computed with the wrong sign, more than 1/16 of its bound from zero, while all else is certain. With a
+// bound 16 times smaller the filter would decide each of them, and wrongly.
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
 
 #include "oracle/explain.h"
 #include "tests/judges/mpq_judge.h"
 #include "tests/judges/print.h"
+#include "tests/judges/seed.h"
 #include "tests/oracle/filter_search.h"
 #include "tests/oracle/stages.h"
 
@@ -164,6 +168,53 @@ TEST(FilterWorstCases, AreDecidedRightlyOrNotAtAll) {
       }
       if (answer) EXPECT_EQ(*answer, expected) << stage.name() << '\n' << explain(worst.shot.triangle, worst.shot.ray);
     }
+  }
+}
+
+// Triangles far smaller or larger than their distance, and directions of any length: each bound has norms of its own.
+// The rays are aimed at edges and vertices, or start in the plane, and end about where they meet it, as nearly as rounding
+// lets.
+TEST(FilterWorstCases, NormsOfDifferentSizes) {
+  Random random(judges::seed());
+  std::vector<Shot> shots;
+  std::vector<Truth> expected;
+  const auto unit = [&] { return static_cast<double>(uniform(random, -(1ll << 53) + 1, (1ll << 53) - 1)) * 0x1p-53; };
+  const auto vec = [&] { return Vec3{unit(), unit(), unit()}; };
+  const auto sum = [](const Vec3& p, double k, const Vec3& q) { return Vec3{p.x + k * q.x, p.y + k * q.y, p.z + k * q.z}; };
+  for (int i = 0; i < 20000; ++i) {
+    const auto size = [&] { return std::ldexp(1.0, static_cast<int>(uniform(random, -40, 40))); };
+    const double edges = size(), distance = size(), length = size(), along = random() % 4 == 0 ? 0 : std::fabs(unit());
+    const Vec3 a = vec(), b = sum(a, edges, vec()), c = sum(a, edges, vec());
+    const Vec3 target = sum(sum(a, along, b), -along, a);
+    Vec3 origin = sum(target, distance, vec()), direction = sum(target, -1, origin);
+    switch (random() % 4) {
+      case 0:  // from near the vertex that the edge does not have
+        origin = sum(c, edges * std::fmin(distance, 1), vec());
+        direction = sum(target, -1, origin);
+        break;
+      case 1: {  // from the plane
+        const double near = std::fmin(distance, 0.4);
+        origin = sum(sum(sum(a, near, b), near, c), -2 * near, a);
+        direction = vec();
+        break;
+      }
+      default: break;
+    }
+    Shot shot{{a, b, c}, {origin, sum({}, length, direction)}};
+    if (random() % 2 == 0) std::swap(shot.triangle.a, shot.triangle.b);
+    for (auto turns = random() % 3; turns > 0; --turns)
+      shot.triangle = {shot.triangle.b, shot.triangle.c, shot.triangle.a};
+    if (random() % 2 == 0) shot.ray.t_max = 1 / length;
+    if (shot.ray.direction == Vec3{}) continue;
+    shots.push_back(shot);
+    expected.push_back(judges::mpq_truth(shot.triangle, shot.ray));
+  }
+  for (const Stage& stage : all_stages()) {
+    if (stage.kind == Stage::residue || stage.kind == Stage::integer) continue;
+    const auto answers = ask(stage, shots);
+    for (std::size_t i = 0; i < shots.size(); ++i)
+      if (answers[i])
+        ASSERT_EQ(*answers[i], expected[i]) << stage.name() << '\n' << explain(shots[i].triangle, shots[i].ray);
   }
 }
 

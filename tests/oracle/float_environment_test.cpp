@@ -14,7 +14,6 @@
 namespace plumbline {
 namespace {
 
-
 bool valid(const Shot& s) { return !(s.ray.direction == Vec3{}); }
 
 void expect_same_everywhere(std::vector<Shot> shots) {
@@ -54,7 +53,8 @@ TEST(FloatEnvironments, GiveTheSameTruthsOfSubnormals) {
   Random random(judges::seed());
   std::vector<Shot> shots;
   for (int i = 0; i < 3000; ++i) {
-    Shot shot = draw_on_grids(random, static_cast<int>(uniform(random, 2, 24)), static_cast<int>(uniform(random, 2, 24)));
+    Shot shot =
+        draw_on_grids(random, static_cast<int>(uniform(random, 2, 24)), static_cast<int>(uniform(random, 2, 24)));
     const bool points = random() % 3 != 0, direction = !points || random() % 2 == 0;
     shot = scaled(shot, points ? -1074 : 0, direction ? -1074 : 0);
     if (random() % 2 == 0) shot.ray.t_min = random() % 2 == 0 ? 0x1p-1074 : -0x1.8p-1030;

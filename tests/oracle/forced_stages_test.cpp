@@ -53,19 +53,24 @@ Share expected_share(Family family) {
   constexpr std::size_t all = count, most = count * 9 / 10;
   switch (family) {
     case Family::random:
-    case Family::small_far: return {.filter = most, .integer = most};
+    case Family::small_far:
+      return {.filter = most, .integer = most};
     case Family::lattice:
     case Family::exact_edge12:
     case Family::exact_edge23:
     case Family::coplanar:
-    case Family::degenerate: return {.residue = most, .integer = all};
-    case Family::exact_edge51: return {.integer = all};
+    case Family::degenerate:
+      return {.residue = most, .integer = all};
+    case Family::exact_edge51:
+      return {.integer = all};
     case Family::ulp12:
-    case Family::ulp51: return {.integer = most};
+    case Family::ulp51:
+      return {.integer = most};
     case Family::mixed40:
     case Family::wide:
     case Family::wide_edge:
-    case Family::full_range: return {};
+    case Family::full_range:
+      return {};
   }
   return {};
 }
@@ -78,11 +83,19 @@ TEST_P(ForcedStages, DecideRightly) {
     const std::size_t decided = check(ask(stage, shots));
     std::printf("  %s %zu", stage.name().c_str(), decided);
     switch (stage.kind) {
-      case Stage::filter: EXPECT_GE(decided, share.filter); break;
-      case Stage::residue: EXPECT_GE(decided, share.residue); break;
-      case Stage::integer: EXPECT_GE(decided, share.integer); break;
+      case Stage::filter:
+        EXPECT_GE(decided, share.filter);
+        break;
+      case Stage::residue:
+        EXPECT_GE(decided, share.residue);
+        break;
+      case Stage::integer:
+        EXPECT_GE(decided, share.integer);
+        break;
       case Stage::accumulate:
-      case Stage::single_call: EXPECT_EQ(decided, count); break;
+      case Stage::single_call:
+        EXPECT_EQ(decided, count);
+        break;
     }
   }
   std::printf("\n");
@@ -143,7 +156,8 @@ TEST_P(ForcedStages, TheLastCasesOfABatchAreCasesToo) {
       const BlockRun run = run_blocks(isa, std::span(shots).first(n), false);
       check(run.truths);
       for (std::size_t i = 0; i < n; ++i)
-        EXPECT_EQ(run.truths[i].has_value(), ask({Stage::filter, isa}, shots[i]) || ask({Stage::residue, isa}, shots[i]));
+        EXPECT_EQ(run.truths[i].has_value(),
+                  ask({Stage::filter, isa}, shots[i]) || ask({Stage::residue, isa}, shots[i]));
     }
 }
 

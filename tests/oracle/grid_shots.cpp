@@ -26,12 +26,23 @@ Int extreme(Random& random, int bits) {
   Int x = 0;
   switch (random() % 8) {
     case 0:
-    case 1: x = top - 1; break;
-    case 2: x = top / 2; break;
-    case 3: x = top / 2 + 1; break;
-    case 4: x = 0x5555555555555555 & (top - 1); break;
-    case 5: x = static_cast<Int>(random() % 3); break;
-    default: x = static_cast<Int>(random()) & (top - 1);
+    case 1:
+      x = top - 1;
+      break;
+    case 2:
+      x = top / 2;
+      break;
+    case 3:
+      x = top / 2 + 1;
+      break;
+    case 4:
+      x = 0x5555555555555555 & (top - 1);
+      break;
+    case 5:
+      x = static_cast<Int>(random() % 3);
+      break;
+    default:
+      x = static_cast<Int>(random()) & (top - 1);
   }
   x = std::min(x, top - 1);
   return fit(random() % 2 == 0 ? x : -x);

@@ -1,12 +1,13 @@
-// No stage decides a case that has no geometry, wherever the NaN or infinity stands and whatever else the case holds; the
-// single call and the batch say why.
+// No stage decides a case that has no geometry, wherever the NaN or infinity stands and whatever else the case holds;
+// the single call and the batch say why.
+#include "oracle/invalid.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <limits>
 
 #include "case/float_bits.h"
-#include "oracle/invalid.h"
 #include "tests/judges/print.h"
 #include "tests/judges/seed.h"
 #include "tests/oracle/grid_shots.h"
@@ -19,8 +20,9 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 
 std::array<double*, 17> numbers(Shot& s) {
   auto& [t, r] = s;
-  return {&t.a.x, &t.a.y, &t.a.z, &t.b.x, &t.b.y, &t.b.z, &t.c.x, &t.c.y, &t.c.z, &r.origin.x, &r.origin.y, &r.origin.z,
-          &r.direction.x, &r.direction.y, &r.direction.z, &r.t_min, &r.t_max};
+  return {&t.a.x,         &t.a.y,         &t.a.z,         &t.b.x,      &t.b.y,      &t.b.z,
+          &t.c.x,         &t.c.y,         &t.c.z,         &r.origin.x, &r.origin.y, &r.origin.z,
+          &r.direction.x, &r.direction.y, &r.direction.z, &r.t_min,    &r.t_max};
 }
 
 void expect_invalid(const Shot& shot) {
@@ -44,8 +46,8 @@ std::vector<Shot> ordinary() {
   std::vector<Shot> shots;
   Random random(judges::seed());
   for (std::uint64_t i = 0; i < 20; ++i)
-    for (const Family family : {Family::random, Family::lattice, Family::exact_edge23, Family::exact_edge51, Family::coplanar,
-                                Family::degenerate, Family::wide})
+    for (const Family family : {Family::random, Family::lattice, Family::exact_edge23, Family::exact_edge51,
+                                Family::coplanar, Family::degenerate, Family::wide})
       shots.push_back(draw(family, judges::seed() + 7, i));
   for (int i = 0; i < 60; ++i) shots.push_back(draw_on_grids(random, 20, 20));
   return shots;
@@ -70,8 +72,8 @@ TEST(InvalidCases, SeveralBadNumbers) {
     for (int i = 0; i < 20; ++i) {
       Shot changed = shot;
       for (int n = 0; n < 3; ++n)
-        *numbers(changed)[random() % 15] = random() % 2 == 0 ? (random() % 2 == 0 ? inf : -inf)
-                                                             : std::numeric_limits<double>::quiet_NaN();
+        *numbers(changed)[random() % 15] =
+            random() % 2 == 0 ? (random() % 2 == 0 ? inf : -inf) : std::numeric_limits<double>::quiet_NaN();
       ASSERT_NO_FATAL_FAILURE(expect_invalid(changed));
     }
 }

@@ -118,7 +118,9 @@ TEST_P(Laws, TheDirectionMayBeScaled) {
   for_all([&](const Shot& s, const Truth& truth) {
     for (const double k : {0.5, 2.0, 0x1p-40, 0x1p+40, 3.0, 5.0}) {
       Ray ray = s.ray;
-      const auto times_k = [k](double x) { return std::fma(x, k, -(x * k)) == 0 && std::isfinite(x * k) ? x * k : NAN; };
+      const auto times_k = [k](double x) {
+        return std::fma(x, k, -(x * k)) == 0 && std::isfinite(x * k) ? x * k : NAN;
+      };
       ray.direction = {times_k(ray.direction.x), times_k(ray.direction.y), times_k(ray.direction.z)};
       ray.t_min /= k;
       ray.t_max /= k;

@@ -44,7 +44,9 @@ Edges edges_with_normal(std::int64_t n, std::int64_t y) {
 // A at `a` from the origin, which is placed so that all coordinates stay below 2^30: they are differences of two.
 Shot shot_of(const Vec3& a, const Edges& edges, const Vec3& direction) {
   const auto half = [](double x) { return std::floor(x / 2); };
-  const auto all_of = [](double o, double a, double e1, double e2) { return std::array{o, o + a, o + a + e1, o + a + e2}; };
+  const auto all_of = [](double o, double a, double e1, double e2) {
+    return std::array{o, o + a, o + a + e1, o + a + e2};
+  };
   const Vec3 o = {-half(a.x), -half(a.y + edges.e1.y), -half(a.z + std::max(edges.e1.z, edges.e2.z))};
   const auto x = all_of(o.x, a.x, edges.e1.x, edges.e2.x), y = all_of(o.y, a.y, edges.e1.y, edges.e2.y),
              z = all_of(o.z, a.z, edges.e1.z, edges.e2.z);
@@ -56,9 +58,12 @@ template <class Check>
 void for_all_at(int bits, Check check) {
   for (const int k : {3, 5, 7, 9, 11, 13})
     for (const int above : {0, 1, 5, 100}) {
-      const auto n = static_cast<std::int64_t>(((std::uint64_t{1} << bits) + static_cast<unsigned>(k) - 1) / static_cast<unsigned>(k)) + above;
+      const auto n = static_cast<std::int64_t>(((std::uint64_t{1} << bits) + static_cast<unsigned>(k) - 1) /
+                                               static_cast<unsigned>(k)) +
+                     above;
       constexpr std::int64_t reach = (1ll << 31) - 8;  // of differences
-      for (std::int64_t y = std::max(std::int64_t{1} << 30, n / reach) + 12345; y < reach; y += 98765432) check(k, edges_with_normal(n, y));
+      for (std::int64_t y = std::max(std::int64_t{1} << 30, n / reach) + 12345; y < reach; y += 98765432)
+        check(k, edges_with_normal(n, y));
     }
 }
 
@@ -104,10 +109,12 @@ TEST(ResidueWrap, MultiplesOf2To64) {
       for (int k = 1; k <= 30; k += 3) {
         const double x = std::ldexp(1, i), y = std::ldexp(1, j), z = std::ldexp(1, k);
         for (const double sign : {1.0, -1.0}) {
-          ASSERT_NO_FATAL_FAILURE(expect_decided({{{0, 0, sign}, {x, 0, sign}, {0, y, sign}}, {{x / 4, y / 4, 0}, {0, 0, z}}}));
-          ASSERT_NO_FATAL_FAILURE(expect_decided({{{0, 0, 4}, {x, 0, 4}, {0, y, 4}}, {{-x / 4, y / 4, 0}, {0, 0, sign * z}}}));
           ASSERT_NO_FATAL_FAILURE(
-              expect_decided({{{0, 0, x / 2}, {x, 0, x / 2}, {0, y, x / 2}}, {{x / 4, y / 4, sign * x / 2}, {0, x, 0}}}));
+              expect_decided({{{0, 0, sign}, {x, 0, sign}, {0, y, sign}}, {{x / 4, y / 4, 0}, {0, 0, z}}}));
+          ASSERT_NO_FATAL_FAILURE(
+              expect_decided({{{0, 0, 4}, {x, 0, 4}, {0, y, 4}}, {{-x / 4, y / 4, 0}, {0, 0, sign * z}}}));
+          ASSERT_NO_FATAL_FAILURE(expect_decided(
+              {{{0, 0, x / 2}, {x, 0, x / 2}, {0, y, x / 2}}, {{x / 4, y / 4, sign * x / 2}, {0, x, 0}}}));
         }
       }
 }

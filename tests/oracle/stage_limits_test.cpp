@@ -1,5 +1,5 @@
-// Around every limit of every stage: the last width, exponent or bound inside is decided by the stage, rightly; the first
-// outside is passed on.
+// Around every limit of every stage: the last width, exponent or bound inside is decided by the stage, rightly; the
+// first outside is passed on.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -41,7 +41,8 @@ void expect_answer(const Stage& stage, const Shot& shot, const Truth& expected, 
 void expect_at_width(const Shot& shot) {
   const Truth expected = judges::mpq_truth(shot.triangle, shot.ray);
   const Width points = point_width(shot), direction = direction_width(shot);
-  const bool inside = points.bits() > 0 && points.bits() <= residue_point_bits && direction.bits() <= residue_direction_bits;
+  const bool inside =
+      points.bits() > 0 && points.bits() <= residue_point_bits && direction.bits() <= residue_direction_bits;
   for (const Stage& stage : residue_stages()) ASSERT_NO_FATAL_FAILURE(expect_answer(stage, shot, expected, inside));
   for (const Isa isa : all_isas())
     ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::filter, isa}, shot, expected, std::nullopt));
@@ -101,7 +102,8 @@ TEST(StageLimits, ThePreciseLastBit) {
 
 TEST(StageLimits, Exponents) {
   Random random(judges::seed() + 3);
-  const std::array exponents = {-1022, -901, -900, -899, -301, -300, -299, -298, 0, 298, 299, 300, 301, 899, 900, 901, 1023};
+  const std::array exponents = {-1022, -901, -900, -899, -301, -300, -299, -298, 0,
+                                298,   299,  300,  301,  899,  900,  901,  1023};
   for (const int points : exponents)
     for (const int direction : exponents)
       for (int i = 0; i < 8; ++i) {
@@ -112,7 +114,8 @@ TEST(StageLimits, Exponents) {
         const bool inside = std::abs(points) < residue_exponents && std::abs(direction) < residue_exponents;
         const bool integers = std::abs(points) <= integer_exponents && std::abs(direction) <= integer_exponents;
         const Truth expected = judges::mpq_truth(shot.triangle, shot.ray);
-        for (const Stage& stage : residue_stages()) ASSERT_NO_FATAL_FAILURE(expect_answer(stage, shot, expected, inside));
+        for (const Stage& stage : residue_stages())
+          ASSERT_NO_FATAL_FAILURE(expect_answer(stage, shot, expected, inside));
         ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::integer}, shot, expected, integers));
         ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::accumulate}, shot, expected, true));
       }
@@ -148,11 +151,12 @@ TEST(StageLimits, TheFiltersRange) {
   }
 }
 
-// Bounds of t for the residue stage are m g / (64 g'), |m| <= 2^13: exact meetings with a bound, and one unit beside it.
+// Bounds of t for the residue stage are m g / (64 g'), |m| <= 2^13: exact meetings with a bound, and one unit beside
+// it.
 TEST(StageLimits, BoundsOfTheResidueStage) {
   constexpr double unit = 0x1p-6, reach = 0x1p+13;
-  const double ms[] = {0, 1, 2, 63, 64, 65, 127, 4095, 4096, 8190, 8191, 8192, 8193, 8194, 16384, 0.5, 64.5, 8191.5, 0x1p+51,
-                       0x1p+52, 0x1.8p+52, 0x1p+53, 0x1p+60, 0x1p+1000};
+  const double ms[] = {0,    1,    2,     63,  64,   65,     127,     4095,    4096,      8190,    8191,    8192,
+                       8193, 8194, 16384, 0.5, 64.5, 8191.5, 0x1p+51, 0x1p+52, 0x1.8p+52, 0x1p+53, 0x1p+60, 0x1p+1000};
   // g = g' = 1: a point coordinate has bit 29, the direction bit 30.
   for (const double magnitude : ms)
     for (const double m : {magnitude, -magnitude})
@@ -189,7 +193,8 @@ TEST(StageLimits, BoundsOfTheResidueStageOnEveryGrid) {
   Random random(judges::seed() + 4);
   int decided = 0, passed_on = 0;
   for (int i = 0; i < 30000; ++i) {
-    Shot shot = draw_on_grids(random, static_cast<int>(uniform(random, 1, 30)), static_cast<int>(uniform(random, 1, 31)));
+    Shot shot =
+        draw_on_grids(random, static_cast<int>(uniform(random, 1, 30)), static_cast<int>(uniform(random, 1, 31)));
     const Width points = point_width(shot), direction = direction_width(shot);
     if (points.bits() == 0) continue;
     const int shift = static_cast<int>(uniform(random, -200, 200));
@@ -229,10 +234,15 @@ TEST(StageLimits, BoundsOfTheIntegerStage) {
     const double near = x.det == 0 ? 1 : mpq_class(x.T / x.det).get_d();
     const auto bound = [&] {
       switch (random() % 4) {
-        case 0: return step_ulps(near, static_cast<std::int64_t>(random() % 3) - 1);
-        case 1: return near;
-        case 2: return std::ldexp(static_cast<double>(uniform(random, -15, 15)), static_cast<int>(uniform(random, -1074, 1000)));
-        default: return std::ldexp(static_cast<double>(uniform(random, -15, 15)), static_cast<int>(uniform(random, -60, 10)));
+        case 0:
+          return step_ulps(near, static_cast<std::int64_t>(random() % 3) - 1);
+        case 1:
+          return near;
+        case 2:
+          return std::ldexp(static_cast<double>(uniform(random, -15, 15)),
+                            static_cast<int>(uniform(random, -1074, 1000)));
+        default:
+          return std::ldexp(static_cast<double>(uniform(random, -15, 15)), static_cast<int>(uniform(random, -60, 10)));
       }
     };
     shot.ray.t_min = bound();

@@ -31,8 +31,9 @@ std::optional<Truth> ask_lanes(Isa isa, bool residue, const Batch& batch, std::s
 
 Columns::Columns(std::span<const Shot> shots) {
   for (const auto& [t, r] : shots) {
-    const double row[17] = {t.a.x, t.a.y, t.a.z, t.b.x, t.b.y, t.b.z, t.c.x, t.c.y, t.c.z, r.origin.x, r.origin.y,
-                            r.origin.z, r.direction.x, r.direction.y, r.direction.z, r.t_min, r.t_max};
+    const double row[17] = {t.a.x,         t.a.y,         t.a.z,         t.b.x,      t.b.y,      t.b.z,
+                            t.c.x,         t.c.y,         t.c.z,         r.origin.x, r.origin.y, r.origin.z,
+                            r.direction.x, r.direction.y, r.direction.z, r.t_min,    r.t_max};
     for (std::size_t k = 0; k < 17; ++k) column_[k].push_back(row[k]);
   }
 }
@@ -46,11 +47,16 @@ Batch Columns::batch(Truth* truths) const {
 
 std::string Stage::name() const {
   switch (kind) {
-    case filter: return "filter " + std::string(plumbline::name(isa));
-    case residue: return "residue " + std::string(plumbline::name(isa));
-    case integer: return "integer";
-    case accumulate: return "accumulate";
-    case single_call: break;
+    case filter:
+      return "filter " + std::string(plumbline::name(isa));
+    case residue:
+      return "residue " + std::string(plumbline::name(isa));
+    case integer:
+      return "integer";
+    case accumulate:
+      return "accumulate";
+    case single_call:
+      break;
   }
   return "single call";
 }
@@ -85,10 +91,18 @@ std::vector<std::optional<Truth>> ask(const Stage& stage, std::span<const Shot> 
     const auto& [triangle, ray] = shots[i];
     switch (stage.kind) {
       case Stage::filter:
-      case Stage::residue: answers[i] = ask_lanes(stage.isa, stage.kind == Stage::residue, batch, i); break;
-      case Stage::integer: answers[i] = classify_integer(triangle, ray); break;
-      case Stage::accumulate: answers[i] = classify_accumulate(triangle, ray); break;
-      case Stage::single_call: answers[i] = classify(triangle, ray); break;
+      case Stage::residue:
+        answers[i] = ask_lanes(stage.isa, stage.kind == Stage::residue, batch, i);
+        break;
+      case Stage::integer:
+        answers[i] = classify_integer(triangle, ray);
+        break;
+      case Stage::accumulate:
+        answers[i] = classify_accumulate(triangle, ray);
+        break;
+      case Stage::single_call:
+        answers[i] = classify(triangle, ray);
+        break;
     }
   }
   return answers;

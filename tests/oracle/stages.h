@@ -36,7 +36,9 @@ const std::vector<Isa>& all_isas();
 
 /// What the stage says when it is asked for each case alone; nothing where it passes the case on.
 std::vector<std::optional<Truth>> ask(const Stage& stage, std::span<const Shot> shots);
-inline std::optional<Truth> ask(const Stage& stage, const Shot& shot) { return ask(stage, std::span(&shot, 1)).front(); }
+inline std::optional<Truth> ask(const Stage& stage, const Shot& shot) {
+  return ask(stage, std::span(&shot, 1)).front();
+}
 
 /// The vector stages over whole blocks, as a batch runs them; nothing where a case was left undecided.
 struct BlockRun {
