@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <span>
+
 #include "analysis/ask.h"
 #include "analysis/tracers.h"
 #include "case/case_text.h"
 #include "case/input_error.h"
 #include "case/real_text.h"
+#include "cli/number_options.h"
 #include "cli/output.h"
 #include "cli/verb.h"
 
@@ -15,17 +19,19 @@ namespace {
 
 struct Options {
   std::string file, id, tracer;
-  std::vector<std::string> triangle, ray, range;
+  std::array<std::string, 9> triangle;
+  std::array<std::string, 6> ray;
+  std::array<std::string, 2> range = {"0", "inf"};
 };
 
 double number(const std::string& text, std::string_view option) {
   const auto x = parse_real(text);
-  if (!x) throw InputError(fmt::format("{}: '{}' is no number; write 1.5, 0x1.8p+0, inf or -inf", option, text));
+  if (!x) throw InputError(fmt::format("{}: '{}' is no number; write 1.5, 0x1.8p+0, inf, -inf or nan", option, text));
   return *x;
 }
 
 // The three numbers from `at` on.
-Vec3 vector(const std::vector<std::string>& texts, std::size_t at, std::string_view option) {
+Vec3 vector(std::span<const std::string> texts, std::size_t at, std::string_view option) {
   return {number(texts[at], option), number(texts[at + 1], option), number(texts[at + 2], option)};
 }
 
@@ -34,17 +40,14 @@ Case case_of(const Options& options) {
   made.id = "given";
   made.bag.triangles = {{vector(options.triangle, 0, "--triangle"), vector(options.triangle, 3, "--triangle"),
                          vector(options.triangle, 6, "--triangle")}};
-  made.ray = {vector(options.ray, 0, "--ray"), vector(options.ray, 3, "--ray")};
-  if (!options.range.empty()) {
-    made.ray.t_min = number(options.range[0], "--range");
-    made.ray.t_max = number(options.range[1], "--range");
-  }
+  made.ray = {vector(options.ray, 0, "--ray"), vector(options.ray, 3, "--ray"), number(options.range[0], "--range"),
+              number(options.range[1], "--range")};
   return made;
 }
 
 std::vector<Case> cases_of(const Options& options) {
   if (options.file.empty()) {
-    if (options.triangle.empty()) throw InputError("explain what? Give a FILE.case, or --triangle and --ray");
+    if (options.triangle.front().empty()) throw InputError("explain what? Give a FILE.case, or --triangle and --ray");
     return {case_of(options)};
   }
   std::vector<Case> cases = read_cases(options.file);
@@ -89,22 +92,23 @@ void add_explain(CLI::App& app) {
       ->type_name("ID")
       ->needs(file);
   CLI::Option* triangle = verb->add_option("--triangle", options->triangle, "Instead of a file: the vertices a, b, c")
+                              ->check(no_option_among("9 numbers X Y Z  X Y Z  X Y Z"))
                               ->type_name("X Y Z  X Y Z  X Y Z")
-                              ->expected(9)
                               ->excludes(file);
   CLI::Option* ray = verb->add_option("--ray", options->ray, "The ray's origin and direction")
+                         ->check(no_option_among("6 numbers X Y Z  X Y Z"))
                          ->type_name("X Y Z  X Y Z")
-                         ->expected(6)
                          ->needs(triangle);
   triangle->needs(ray);
   verb->add_option("--range", options->range, "t_min and t_max, in lengths of the direction (default: 0 inf)")
+      ->check(no_option_among("2 numbers T_MIN T_MAX"))
       ->type_name("T T")
-      ->expected(2)
       ->needs(triangle);
   verb->add_option("--tracer", options->tracer, "Ask this tracer too, at its precision, and explain the verdict")
       ->type_name("NAME");
   verb->footer(
-      "A number is a decimal, a hexfloat (0x1.8p+0), inf or -inf.\n"
+      "A number is a decimal, a hexfloat (0x1.8p+0), inf, -inf or nan. What is not finite makes the case invalid, but\n"
+      "for infinite ends of the range, and the reason is told. A .case file takes no nan.\n"
       "\nExample:\n"
       "  plumbline explain --triangle 0 0 0  1.5 0 0  0 1.5 0 --ray 0.75 0.75 5  0 0 -1 --tracer brlcad_bot_hlbvh");
   verb->callback([options] { run(*options); });

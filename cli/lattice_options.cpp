@@ -1,11 +1,13 @@
 #include "cli/lattice_options.h"
 
 #include "case/input_error.h"
+#include "cli/number_options.h"
 
 namespace plumbline {
 
 void add_lattice_options(CLI::App& verb, LatticeOptions& options) {
   verb.add_option("--box", options.box, "Size of the bounding box along x, y and z (decimals, taken exactly)")
+      ->check(no_option_among("3 numbers X Y Z"))
       ->type_name("X Y Z")
       ->capture_default_str()
       ->group("Triangles");
@@ -15,15 +17,16 @@ void add_lattice_options(CLI::App& verb, LatticeOptions& options) {
       ->capture_default_str()
       ->group("Triangles");
   verb.add_option("--offset", options.offsets, "Where the box begins; repeat it to visit several places")
+      ->check(no_option_among("3 numbers X Y Z"))
       ->type_name("X Y Z")
       ->group("Triangles");
   verb.add_option("--first", options.first, "Index of the first ordered triple of lattice points")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number())
       ->type_name("N")
       ->capture_default_str()
       ->group("Triangles");
   verb.add_option("--count", options.count, "How many ordered triples (default: all that follow)")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number())
       ->type_name("N")
       ->group("Triangles");
 }

@@ -256,6 +256,20 @@ class Explain(CliTest):
         for part in ("-9 * 2^-2", "edge bc", "(-inf, inf)", "verdict    correct"):
             self.assertIn(part, result.stdout)
 
+    def test_numbers_are_no_options(self):
+        result = run("explain", "--triangle", *"-.5 -.25 -0x1p-1 1 0 0 0 1 -.5".split(),
+                     "--ray", *"1 -.25 0 1 -.5 0".split(), "--range", "1", "-inf")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        for part in ("(-0.5, -0.25, -0.5)", "(0, 1, -0.5)", "(1, -0.25, 0)", "(1, -0.5, 0)", "(1, -inf)"):
+            self.assertIn(part, result.stdout)
+
+    def test_nan_is_invalid(self):
+        for triangle, ray, reason in [("0 0 0 nan 0 0 0 1 0", "0 0 1 0 0 1", "coordinate of the triangle is NaN"),
+                                      ("0 0 0 1 0 0 0 1 0", "0 0 1 0 0 nan", "coordinate of the direction is NaN")]:
+            result = run("explain", "--triangle", *triangle.split(), "--ray", *ray.split(), "--tracer", "exact")
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            self.assertIn("invalid: a " + reason, result.stdout)
+
     def test_file(self):
         path = CORPUS / "hard" / "brlcad.case"
         everything = run("explain", path).stdout
@@ -267,7 +281,9 @@ class Explain(CliTest):
     def test_trouble(self):
         self.assert_trouble(run("explain"), "--triangle and --ray")
         self.assert_trouble(run("explain", "--triangle", *"000000000"), "--triangle requires --ray")
-        self.assert_trouble(run("explain", "--triangle", "1", "2"), "--triangle: At least 9")
+        self.assert_trouble(run("explain", "--triangle", "1", "2"), "--triangle: 9 required X Y Z")
+        self.assert_trouble(run("explain", "--triangle", *"000010001", "--ray", *"0010", "--tracer", "exact"),
+                            "--ray: 6 numbers X Y Z  X Y Z, before '--tracer'")
         self.assert_trouble(run("explain", "--triangle", *"00010001x", "--ray", *"001001"),
                             "--triangle: 'x' is no number")
         self.assert_trouble(run("explain", CORPUS / "hard" / "brlcad.case", "--id", "nix"), "no case 'nix'")

@@ -75,7 +75,11 @@ class Sweep(unittest.TestCase):
                 (["--normal", "unit"], "--normal"),
                 (["--mode", "blob"], "--mode"),
                 (["--first", "512"], "triples 0 to 511"),
-                (["--first", "-1"], "--first"),
+                (["--box", "2", "--step", "1"], "--box: 3 numbers X Y Z, before '--step'"),
+                (["--offset", "1", "-.5", "--json"], "--offset: 3 numbers X Y Z, before '--json'"),
+                (["--first", "-1"], "--first: '-1' is no whole number below 2^64; write digits alone, like 1000"),
+                (["--first", "99999999999999999999"], "--first: '99999999999999999999' is no whole number below 2^64"),
+                (["--count", "1e3"], "--count: '1e3' is no whole number"),
                 (["--count", "513"], "only 512"),
                 (["--csv", str(self.directory / "no" / "x.csv")], "x.csv: cannot be opened for writing: No such"),
                 (["--csv", "/dev/full"], "/dev/full: cannot be written: No space left on device; make room"),
@@ -123,6 +127,10 @@ class Sweep(unittest.TestCase):
                     time.sleep(0.1)
                 self.assertEqual(running.wait(timeout=60), -signals[-1])
                 self.assertEqual(list(self.directory.iterdir()), [])
+
+    def test_negative_offset(self):
+        rows = plumbline("lattice", "--offset", "-.5", "-.25", "-1", "--first", "10", "--count", "1").stdout
+        self.assertEqual(rows.splitlines()[1], "10,-0.5,-0.25,-1,-0.5,-0.25,0.5,-0.5,1.25,-1")
 
     def test_lattice_prints_every_triangle(self):
         rows = list(csv.DictReader(io.StringIO(plumbline("lattice").stdout)))
