@@ -48,6 +48,8 @@ class Keys {
 
 std::string_view name(Key key) { return key_names[static_cast<std::size_t>(key)]; }
 
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";  // some editors begin a file with it
+
 std::string_view trimmed(std::string_view text) { return text.substr(0, text.find_last_not_of(" \t\r\n") + 1); }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -104,6 +106,7 @@ class CaseLines::Impl {
   bool next(CaseLine& into) {
     do {
       if (!file_.next_line(text_)) return false;
+      if (file_.line_number() == 1 && text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
     } while (trimmed(text_).empty());
     read(into);
     return true;
@@ -211,7 +214,7 @@ class CaseLines::Impl {
         aim().wish = word<Wish>(value, wish_names);
         break;
       case Key::hit:
-        parts_.outcome = is_null(value) ? Outcome::fault : boolean(value) ? Outcome::hit : Outcome::miss;
+        parts_.outcome = outcome(value);
         break;
       case Key::fault:
         parts_.fault = boolean(value);
@@ -247,6 +250,10 @@ class CaseLines::Impl {
     if (asked.bag.triangles.empty()) fail_at_start("no triangle; add \"triangle\":[[x,y,z],[x,y,z],[x,y,z]]");
     for (const Key key : {Key::origin, Key::direction})
       if (!keys_.has(key)) fail_at_start(fmt::format("key '{0}' is missing; add \"{0}\":[x,y,z]", name(key)));
+    const bool plate = asked.bag.mode == BagMode::plate;
+    if (plate && !keys_.has(Key::thickness)) fail_at_start("a plate without 'thickness'; add \"thickness\":0.1");
+    if (!plate && keys_.has_any({Key::thickness, Key::position, Key::cosine}))
+      fail_at_start("'thickness', 'position' and 'cosine' are of a plate; add \"mode\":\"plate\", or remove them");
     if (asked.aim && !keys_.has(Key::target))
       fail_at_start("'tolerance', 'standoff' and 'wish' need a 'target'; add \"target\":\"interior\"");
     if (asked.precision == Precision::binary32) check_binary32(asked);
@@ -284,7 +291,7 @@ class CaseLines::Impl {
     const std::string_view text = token(value);
     const bool quoted = text.starts_with('"');
     const auto x = quoted ? parse_real(string(value)) : is_json_number(text) ? parse_real(text) : std::nullopt;
-    if (!x) wrong(text, R"(a number, or a string with a hexfloat, "inf" or "-inf")");
+    if (!x) wrong(text, R"(a number, or a string with a hexfloat, "inf", "-inf" or "nan")");
     return *x;
   }
 
@@ -308,6 +315,12 @@ class CaseLines::Impl {
     const std::string_view text = token(value);
     if (text != "true" && text != "false") wrong(text, "true or false");
     return text == "true";
+  }
+
+  Outcome outcome(ondemand::value value) {
+    const std::string_view text = token(value);
+    if (text != "true" && text != "false" && text != "null") wrong(text, "true, false or null");
+    return text == "true" ? Outcome::hit : text == "false" ? Outcome::miss : Outcome::fault;
   }
 
   std::string_view string(ondemand::value value) {
@@ -431,9 +444,11 @@ void add_members(JsonObject& object, const Case& what) {
   object.number("t_max", endless ? std::nullopt : std::optional(what.ray.t_max));
   if (bag != Bag{.triangles = bag.triangles}) {
     object.text("mode", name(bag.mode));
-    object.number("thickness", bag.thickness);
-    object.text("position", name(bag.position));
-    object.boolean("cosine", bag.cosine);
+    if (bag.mode == BagMode::plate) {
+      object.number("thickness", bag.thickness);
+      object.text("position", name(bag.position));
+      object.boolean("cosine", bag.cosine);
+    }
     object.text("orientation", name(bag.orientation));
   }
   if (what.aim) {

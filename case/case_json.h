@@ -2,8 +2,9 @@
 //
 // Reading: a number is a JSON number, or a string with a hexfloat, "inf", "-inf" or "nan". A coordinate or bound that
 // is not finite (1e999 is infinite) is data: the oracle calls such a case invalid. All else that is wrong throws
-// InputError "file:line:column: what; the fix": malformed JSON, unknown or repeated keys, wrong types, a missing key.
-// A line at a time: memory is bounded by the longest line. Blank lines are skipped.
+// InputError "file:line:column: what; the fix": malformed JSON, unknown or repeated keys, wrong types, a missing key,
+// a plate without thickness, a thickness without plate. A line at a time: memory is bounded by the longest line. Blank
+// lines are skipped, and a byte order mark.
 #pragma once
 #include <memory>
 #include <optional>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <unordered_map>
 
 #include "case/enum_names.h"
 #include "case/float_bits.h"
@@ -22,6 +23,13 @@ constexpr std::array<std::string_view, 9> key_names = {"case", "precision", "tri
 constexpr bool repeatable(Key key) { return key == Key::triangle || key == Key::known; }
 
 constexpr std::string_view blanks = " \t\r\f\v";
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";  // some editors begin a file with it
+
+// A word in a message. Whoever gives the wrong kind of file may give a long one.
+std::string quoted(std::string_view word) {
+  constexpr std::size_t longest = 40;
+  return word.size() <= longest ? fmt::format("'{}'", word) : fmt::format("'{}...'", word.substr(0, longest));
+}
 
 // The words of one line, taken from left to right; the place of an error is that of the word taken last.
 class Words {
@@ -43,7 +51,7 @@ class Words {
   double take_number(std::string_view what) {
     const std::string_view word = take(what);
     const auto x = parse_real(word);
-    if (!x) fail(place_, fmt::format("'{}' is no number ({}); write 0x1.8p+0, 1.5, inf or -inf", word, what));
+    if (!x) fail(place_, fmt::format("{} is no number ({}); write 0x1.8p+0, 1.5, inf or -inf", quoted(word), what));
     if (is_nan(*x)) fail(place_, fmt::format("a NaN ({}); write a number, inf or -inf", what));
     return *x;
   }
@@ -58,14 +66,14 @@ class Words {
   Enum take_name(const std::array<std::string_view, N>& names, std::string_view what) {
     const std::string_view word = take(what);
     const auto value = from_name<Enum>(names, word);
-    if (!value) fail(place_, fmt::format("unknown {} '{}'; {}", what, word, suggest(word, names)));
+    if (!value) fail(place_, fmt::format("unknown {} {}; {}", what, quoted(word), suggest(word, names)));
     return *value;
   }
 
   void expect_end() {
     if (empty()) return;
     place_.column = at_ + 1;
-    fail(place_, fmt::format("'{}' is too much on this line; remove it, or put '#' before it", peek()));
+    fail(place_, fmt::format("{} is too much on this line; remove it, or put '#' before it", quoted(peek())));
   }
 
   const Place& place() const { return place_; }
@@ -83,10 +91,17 @@ void read_mode(Words& words, Bag& bag) {
   enum class Part : unsigned char { thickness, position, cosine, orientation };
   constexpr std::array<std::string_view, 4> parts = {"thickness", "position", "cosine", "orientation"};
   constexpr std::array<std::string_view, 2> booleans = {"false", "true"};
+  const bool plate = bag.mode == BagMode::plate;
+  bool thick = false;
   while (!words.empty()) {
-    switch (words.take_name<Part>(parts, "part of mode")) {
+    const auto part = words.take_name<Part>(parts, "part of mode");
+    if (!plate && part != Part::orientation)
+      fail(words.place(),
+           fmt::format("'{}' is of a plate; remove it, or write 'mode plate'", parts[static_cast<unsigned>(part)]));
+    switch (part) {
       case Part::thickness:
         bag.thickness = words.take_length("thickness");
+        thick = true;
         break;
       case Part::position:
         bag.position = words.take_name<PlatePosition>(plate_position_names, "position");
@@ -99,6 +114,7 @@ void read_mode(Words& words, Bag& bag) {
         break;
     }
   }
+  if (plate && !thick) fail(words.place(), "a plate without thickness; add 'thickness 0.1'");
 }
 
 Aim read_aim(Words& words) {
@@ -168,6 +184,7 @@ class CaseReader {
 
   void add_line(std::string_view line) {
     ++line_number_;
+    if (line_number_ == 1 && line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size());
     if (line.ends_with('\r')) line.remove_suffix(1);
     const auto start = line.find_first_not_of(blanks);
     if (start != line.npos && line[start] == '#') {
@@ -191,6 +208,8 @@ class CaseReader {
   };
 
   void add_keyed_line(Words words) {
+    if (words.peek().starts_with('{'))
+      fail(words.place(), "this is JSON, and .case text is expected: lines 'case ID', 'triangle', 'ray'");
     const auto key = words.take_name<Key>(key_names, "key");
     const Place place = words.place();
     if (key == Key::id) {
@@ -211,6 +230,7 @@ class CaseReader {
     switch (key) {
       case Key::id:
         into.id = words.take("the case's id");
+        check_new(into.id, words.place());
         break;
       case Key::precision:
         into.precision = words.take_name<Precision>(precision_names, "precision");
@@ -243,6 +263,12 @@ class CaseReader {
         into.known.push_back(read_known(words));
         break;
     }
+  }
+
+  void check_new(const std::string& id, const Place& place) {
+    const auto [it, is_new] = line_of_.emplace(id, place.line);
+    if (!is_new)
+      fail(place, fmt::format("a second case '{}', the first is on line {}; rename one of them", id, it->second));
   }
 
   double take_coordinate(Words& words, std::string_view what) {
@@ -283,6 +309,7 @@ class CaseReader {
   std::size_t line_number_ = 0;
   std::vector<std::string> comments_;  // those directly above the line at hand
   std::vector<Case> cases_;
+  std::unordered_map<std::string, std::size_t> line_of_;  // by id
   // Of the last case, which is still open:
   Place open_;
   std::bitset<key_names.size()> seen_;
@@ -344,8 +371,11 @@ std::string to_text(const Case& what) {
   append_numbers(out, {what.ray.t_min, what.ray.t_max});
   out += '\n';
   if (const Bag& bag = what.bag; bag != Bag{.triangles = bag.triangles}) {
-    out += fmt::format("mode {} thickness {} position {} cosine {} orientation {}\n", name(bag.mode),
-                       hexfloat(bag.thickness), name(bag.position), bag.cosine, name(bag.orientation));
+    out += fmt::format("mode {}", name(bag.mode));
+    if (bag.mode == BagMode::plate)
+      out +=
+          fmt::format(" thickness {} position {} cosine {}", hexfloat(bag.thickness), name(bag.position), bag.cosine);
+    out += fmt::format(" orientation {}\n", name(bag.orientation));
   }
   if (what.aim) {
     out += fmt::format("aim {}", name(what.aim->target));
@@ -368,7 +398,7 @@ std::string to_text(const Case& what) {
   if (back.size() == 1 && back.front() == what) return out;
   throw InputError(
       fmt::format("case '{}' cannot be written as text; its id must be one word without '#', its provenance "
-                  "free of newlines",
+                  "free of newlines, and only a plate may have thickness, position and cosine",
                   what.id));
 }
 

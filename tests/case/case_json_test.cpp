@@ -88,6 +88,14 @@ TEST(CaseJson, DefaultsAndBlankLines) {
   EXPECT_TRUE(lines_of("").empty());
 }
 
+TEST(CaseJson, SkipsAByteOrderMark) {
+  const std::string mark = "\xef\xbb\xbf";
+  EXPECT_EQ(lines_of(mark + "{" + question + "}\n{" + question + "}").size(), 2u);
+  EXPECT_TRUE(lines_of(mark).empty());
+  EXPECT_EQ(error_in(mark + "{\"trianlge\":1}"), ":1:2: unknown key 'trianlge'; did you mean 'triangle'?");
+  EXPECT_NE(error_in("{" + question + "}\n" + mark + "{" + question + "}"), "");
+}
+
 TEST(CaseJson, NonFiniteCoordinatesAreData) {
   const auto lines = lines_of(R"({"triangle":[["nan",1e999,"inf"],[-1e999,0,0],[0,1e-999,0]],"origin":[0,0,0],)"
                               R"("direction":[0,0,1],"t_min":"nan"})");
@@ -187,8 +195,9 @@ TEST(CaseJson, ErrorsNameThePlaceAndTheFix) {
   EXPECT_THAT(error_in("{" + question + "}}"), HasSubstr(":1:83: more follows the object"));
   EXPECT_EQ(error_in("{\"id\":[1]}"), ":1:7: key 'id': expected a string, number, true, false or null, not an array");
   EXPECT_THAT(error_in("{\"id\":01}"), EndsWith(", not 01"));
-  EXPECT_EQ(error_in("{\"origin\":[0,true,0]}"),
-            ":1:14: key 'origin': expected a number, or a string with a hexfloat, \"inf\" or \"-inf\", not true");
+  EXPECT_EQ(
+      error_in("{\"origin\":[0,true,0]}"),
+      ":1:14: key 'origin': expected a number, or a string with a hexfloat, \"inf\", \"-inf\" or \"nan\", not true");
   for (const std::string number :
        {"01", "1.", ".5", "+1", "0x10", "1e", "1e+", "-", "NaN", "Infinity", "1x", "\"one\"", "\"\"", "null"})
     EXPECT_NE(error_in("{\"origin\":[" + number + ",0,0]}"), "") << number;
@@ -211,6 +220,14 @@ TEST(CaseJson, ErrorsNameThePlaceAndTheFix) {
             ":1:1: both 'triangle' and 'triangles'; remove one of them");
   EXPECT_EQ(error_in("{\"wish\":\"hit\"," + question + "}"),
             ":1:1: 'tolerance', 'standoff' and 'wish' need a 'target'; add \"target\":\"interior\"");
+  EXPECT_EQ(error_in("{\"mode\":\"plate\"," + question + "}"),
+            ":1:1: a plate without 'thickness'; add \"thickness\":0.1");
+  for (const std::string part : {R"("thickness":0.1)", R"("position":"centred")", R"("cosine":true)"}) {
+    EXPECT_EQ(error_in("{" + part + "," + question + "}"),
+              ":1:1: 'thickness', 'position' and 'cosine' are of a plate; add \"mode\":\"plate\", or remove them");
+    EXPECT_NE(error_in("{\"mode\":\"solid\"," + part + "," + question + "}"), "");
+  }
+  EXPECT_EQ(error_in("{\"hit\":1," + question + "}"), ":1:8: key 'hit': expected true, false or null, not 1");
   EXPECT_EQ(error_in("{\"t\":1," + question + "}"),
             ":1:1: an answer without 'hit'; add \"hit\":true, false, or null for a fault");
   EXPECT_EQ(error_in("{\"precision\":\"binary32\",\"t_max\":0.1," + question + "}"),

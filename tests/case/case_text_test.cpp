@@ -105,8 +105,18 @@ TEST(CaseText, RefusesToWriteWhatWouldNotReadBack) {
   made.provenance = {"two\nlines"};
   EXPECT_THAT(error_of([&] { to_text(made); }), HasSubstr("case 'x'"));
   made.provenance.clear();
+  made.bag.thickness = 0.1;
+  EXPECT_THAT(error_of([&] { to_text(made); }), HasSubstr("only a plate may have thickness"));
+  made.bag.thickness = 0;
   made.ray.origin.x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(error_of([&] { to_text(made); }), HasSubstr("NaN"));
+}
+
+TEST(CaseText, SkipsAByteOrderMark) {
+  const std::string mark = "\xef\xbb\xbf";
+  EXPECT_EQ(parse_cases(mark + "case x\n" + std::string(geometry), "f.case").size(), 1u);
+  EXPECT_EQ(parse_cases(mark + "# from where\ncase x\n" + std::string(geometry), "f.case")[0].provenance.size(), 1u);
+  EXPECT_NE(error_in("case x\n" + mark + std::string(geometry)), "");
 }
 
 TEST(CaseText, NothingIsNoCase) {
@@ -142,6 +152,16 @@ TEST(CaseText, ErrorsNameThePlaceAndTheFix) {
   EXPECT_EQ(error_in("case x\nmode plate cosine maybe\n"), "f.case:2:19: unknown cosine 'maybe'; known: false, true");
   EXPECT_EQ(error_in("case x\nmode plate colour\n"),
             "f.case:2:12: unknown part of mode 'colour'; known: thickness, position, cosine, orientation");
+  EXPECT_EQ(error_in("case x\nmode plate cosine true\n"),
+            "f.case:2:19: a plate without thickness; add 'thickness 0.1'");
+  EXPECT_EQ(error_in("case x\nmode solid orientation cw thickness 1\n"),
+            "f.case:2:27: 'thickness' is of a plate; remove it, or write 'mode plate'");
+  EXPECT_EQ(error_in("case x\n" + g + "case y\n" + g + "case x\n" + g),
+            "f.case:7:6: a second case 'x', the first is on line 1; rename one of them");
+  EXPECT_EQ(error_in("{\"id\":1,\"triangle\":[]}\n"),
+            "f.case:1:1: this is JSON, and .case text is expected: lines 'case ID', 'triangle', 'ray'");
+  EXPECT_THAT(error_in("case x\n" + std::string(99, 'y')),
+              HasSubstr(":2:1: unknown key '" + std::string(40, 'y') + "...'"));
   EXPECT_EQ(error_in("case x\naim tolerance standoff 5\n"),
             "f.case:2:15: 'standoff' is no number (tolerance); write 0x1.8p+0, 1.5, inf or -inf");
   EXPECT_EQ(error_in("case x\naim interior wish\n"), "f.case:2:18: wish is missing");

@@ -24,9 +24,11 @@ class RandomCase {
     if (coin()) made.ray.t_max = x();
     if (coin()) {
       made.bag.mode = pick<BagMode>(bag_mode_names.size());
-      made.bag.thickness = length();
-      made.bag.position = pick<PlatePosition>(plate_position_names.size());
-      made.bag.cosine = coin();
+      if (made.bag.mode == BagMode::plate) {
+        made.bag.thickness = length();
+        made.bag.position = pick<PlatePosition>(plate_position_names.size());
+        made.bag.cosine = coin();
+      }
       made.bag.orientation = pick<Orientation>(orientation_names.size());
     }
     if (coin()) {
