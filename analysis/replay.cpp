@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "analysis/ask.h"
+#include "analysis/tracers.h"
 #include "case/case_text.h"
 #include "case/input_error.h"
 #include "case/real_text.h"
@@ -86,9 +87,14 @@ class Replay {
       const std::string message = verdict_on(*tracer, asked);
       if (!message.empty()) add_event(fmt::format("{}: {}", tracer->info().name, message));
     }
-    summary_.skipped_known += std::ranges::count_if(asked.known, [this](const Known& known) {
-      return std::ranges::none_of(tracers_, [&](const Tracer* tracer) { return tracer->info().name == known.tracer; });
-    });
+    for (const Known& known : asked.known) {
+      const Tracer* const tracer = tracer_named(known.tracer);
+      if (!tracer) {
+        ++summary_.unknown_tracers[known.tracer];
+      } else if (std::ranges::find(tracers_, tracer) == tracers_.end()) {
+        ++summary_.skipped_known;
+      }
+    }
   }
 
   // What there is to tell; empty if all is as the file says.

@@ -2,6 +2,7 @@
 // findings that the files list as `known`.
 #pragma once
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,10 @@ struct ReplayEvent {
 
 struct ReplaySummary {
   std::size_t files = 0, cases = 0, answers = 0;
-  std::size_t known = 0;          ///< answers that are wrong as the files say
-  std::size_t faults = 0;         ///< answers that were none, unlisted: no disagreement
-  std::size_t skipped_known = 0;  ///< `known` lines of tracers that were not asked
+  std::size_t known = 0;                               ///< answers that are wrong as the files say
+  std::size_t faults = 0;                              ///< answers that were none, unlisted: no disagreement
+  std::size_t skipped_known = 0;                       ///< `known` lines of tracers that were not asked
+  std::map<std::string, std::size_t> unknown_tracers;  ///< names of no tracer of this build, and their `known` lines
   std::vector<ReplayEvent> events;
 };
 

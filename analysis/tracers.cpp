@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "case/input_error.h"
+#include "case/nearest_name.h"
 #include "float_tracer/tracer_list.h"
 #include "oracle/classify.h"
 #include "oracle/measure.h"
@@ -14,21 +15,26 @@ class PreparedExact final : public PreparedBag {
  public:
   explicit PreparedExact(const Bag& bag) : triangles_(bag.triangles) {}
 
-  // The nearest hit; of two at the same t, rounded, the first triangle's.
   void trace(std::span<const Ray> rays, std::span<Answer> answers) override {
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      Answer nearest;
-      for (std::uint32_t k = 0; k < triangles_.size(); ++k) {
-        if (!crosses(classify(triangles_[k], rays[i]))) continue;
-        const auto at = measure<double>(triangles_[k], rays[i]);
-        if (nearest.outcome == Outcome::hit && !(at->t < nearest.t)) continue;
-        nearest = {.outcome = Outcome::hit, .has_t = true, .has_uv = true, .triangle = k, .t = at->t, .u = at->u, .v = at->v};
-      }
-      answers[i] = nearest;
-    }
+    for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = nearest(rays[i]);
   }
 
  private:
+  // Of two hits at the same t, rounded, the first triangle's. There is no answer to an invalid question.
+  Answer nearest(const Ray& ray) const {
+    Answer best;
+    for (std::uint32_t k = 0; k < triangles_.size(); ++k) {
+      const Truth truth = classify(triangles_[k], ray);
+      if (truth.invalid != Invalid::none) return {.outcome = Outcome::fault};
+      if (!crosses(truth)) continue;
+      const auto at = measure<double>(triangles_[k], ray);
+      if (best.outcome == Outcome::hit && !(at->t < best.t)) continue;
+      best = {
+          .outcome = Outcome::hit, .has_t = true, .has_uv = true, .triangle = k, .t = at->t, .u = at->u, .v = at->v};
+    }
+    return best;
+  }
+
   std::vector<Triangle> triangles_;
 };
 
@@ -53,13 +59,21 @@ const std::vector<std::unique_ptr<Tracer>>& all_tracers() {
   return tracers;
 }
 
+const Tracer* tracer_named(std::string_view name) {
+  for (const auto& tracer : all_tracers())
+    if (tracer->info().name == name) return tracer.get();
+  return nullptr;
+}
+
+std::string suggest_tracer(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const auto& tracer : all_tracers()) names.push_back(tracer->info().name);
+  return suggest(name, names);
+}
+
 const Tracer& find_tracer(std::string_view name) {
-  std::string names;
-  for (const auto& tracer : all_tracers()) {
-    if (tracer->info().name == name) return *tracer;
-    names += (names.empty() ? "" : ", ") + tracer->info().name;
-  }
-  throw InputError(fmt::format("unknown tracer '{}'; this build has: {}", name, names));
+  if (const Tracer* tracer = tracer_named(name)) return *tracer;
+  throw InputError(fmt::format("unknown tracer '{}'; {}", name, suggest_tracer(name)));
 }
 
 }  // namespace plumbline

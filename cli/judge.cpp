@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <set>
 
 #include "analysis/ask.h"
 #include "analysis/tracers.h"
@@ -16,14 +17,24 @@ struct Options {
   std::string tracer;
 };
 
-// What the answer is judged by: --tracer's contract, else that of the tracer which the line names, else the default
-// one.
-Contract contract_of(const CaseLine& line, const Tracer* chosen) {
-  if (chosen) return chosen->info().contract;
-  for (const auto& tracer : all_tracers())
-    if (tracer->info().name == line.tracer) return tracer->info().contract;
-  return {.precision = line.asked.precision};
-}
+// What answers are judged by: --tracer's contract, else that of the tracer which the line names, else the default one.
+class Contracts {
+ public:
+  explicit Contracts(const Tracer* chosen) : chosen_(chosen) {}
+
+  Contract of(const CaseLine& line) {
+    const Tracer* const tracer = chosen_ ? chosen_ : tracer_named(line.tracer);
+    if (tracer) return tracer->info().contract;
+    if (!line.tracer.empty() && warned_of_.insert(line.tracer).second)
+      fmt::print(stderr, "warning: '{}' is no tracer of this build: judged by the default contract; {}\n", line.tracer,
+                 suggest_tracer(line.tracer));
+    return {.precision = line.asked.precision};
+  }
+
+ private:
+  const Tracer* chosen_;
+  std::set<std::string> warned_of_;
+};
 
 std::string words(const Condition& condition) {
   if (condition.nominal()) return "nominal";
@@ -53,13 +64,13 @@ void write(const CaseLine& line, const Judgement& judgement, std::string& out) {
 }
 
 bool run(const Options& options) {
-  const Tracer* const chosen = options.tracer.empty() ? nullptr : &find_tracer(options.tracer);
+  Contracts contracts(options.tracer.empty() ? nullptr : &find_tracer(options.tracer));
   std::array<std::size_t, verdict_kind_names.size()> count{};
   const auto lines_read =
       answer_lines(options.stream, [&](const CaseLines& lines, const CaseLine& line, std::string& out) {
         require_one_triangle(lines, line);
         if (!line.answer) lines.fail("no answer to judge; add \"hit\":true, false, or null for a fault");
-        const Judgement judgement = judge(line.asked, *line.answer, contract_of(line, chosen));
+        const Judgement judgement = judge(line.asked, *line.answer, contracts.of(line));
         ++count[static_cast<unsigned>(judgement.verdict)];
         write(line, judgement, out);
       });
@@ -85,21 +96,25 @@ void add_judge(CLI::App& app, bool& disagreement) {
           "range t_min to t_max)")
       ->type_name("NAME");
   add_stream_options(*verb, options->stream);
-  verb->footer(std::string(question_keys) +
-               "and the answer to it:\n"
-               "  hit          true, false, or null for a fault (required)\n"
-               "  t, u, v, in, out, triangle_index   numbers or null\n"
-               "  tracer       who says so\n"
-               "\nEach line of output judges one line of input:\n"
-               "  id           as given\n"
-               "  verdict      correct, false-miss, false-hit, unspecified (the contract leaves it open) or fault\n"
-               "  class, feature, hit   the truth, as classify tells it\n"
-               "  severity     of a wrong answer: by how much the ray would have to be moved for it to be right, as a\n"
-               "               length; severity_ulps in units in the last place of the largest coordinate\n"
-               "  condition    nominal, or what makes the case ill-conditioned: grazing, sliver, far\n"
-               "The counts go to standard error.\n"
-               "\nExample:\n"
-               "  plumbline trace --tracer plucker_f32 --merged rays.ndjson | plumbline judge -");
+  verb->footer(
+      std::string(question_keys) +
+      "\nThe same object holds the answer:\n"
+      "  hit          true, false, or null for a fault (required); nothing else is judged\n"
+      "  t, u, v, in, out, triangle_index   numbers or null; not looked at\n"
+      "  tracer       who says so; of a name that 'plumbline tracers' doesn't list you are warned\n"
+      "The case has to be as the tracer was given it: if yours reads binary32, round all numbers to it and add\n"
+      "\"precision\":\"binary32\".\n"
+      "\nEach line of output judges one line of input:\n"
+      "  id           as given\n"
+      "  verdict      correct, false-miss, false-hit, unspecified (the contract leaves it open) or fault\n"
+      "  class, feature, hit   the truth, as classify tells it; hit in the range that the contract has searched:\n"
+      "               t_min to t_max, from 0 on, or the whole line\n"
+      "  severity     of a wrong answer: by how much the ray would have to be moved for it to be right, as a\n"
+      "               length; severity_ulps in units in the last place of the largest coordinate\n"
+      "  condition    nominal, or what makes the case ill-conditioned: grazing, sliver, far\n"
+      "The counts go to standard error. Exit code 1: a false miss or a false hit. Faults alone exit with 0.\n"
+      "\nExample:\n"
+      "  plumbline trace --tracer plucker_f32 --merged rays.ndjson | plumbline judge -");
   verb->callback([options, &disagreement] { disagreement = run(*options); });
 }
 

@@ -33,6 +33,9 @@ bool run(const Options& options) {
              summary.cases, summary.files, summary.answers, summary.events.size(), summary.known, summary.faults);
   if (summary.skipped_known > 0) fmt::print(stderr, ", {} known findings of tracers not asked", summary.skipped_known);
   fmt::print(stderr, "\n");
+  for (const auto& [tracer, lines] : summary.unknown_tracers)
+    fmt::print(stderr, "warning: {} known findings of '{}', which is unknown to this build; {}\n", lines, tracer,
+               suggest_tracer(tracer));
   return !summary.events.empty();
 }
 
@@ -50,7 +53,9 @@ void add_replay(CLI::App& app, bool& disagreement) {
   verb->footer(
       "The oracle derives what each case expects again, and every tracer is asked and judged. A line is printed for\n"
       "everything that is not as the file says: an expectation that isn't the truth, a wrong answer that no line\n"
-      "'known TRACER KIND' lists, and a known one that has changed or gone. corpus/README.md describes the format.\n"
+      "'known TRACER KIND' lists, and a known one that has changed or gone. A TRACER that this build hasn't is warned "
+      "of.\n"
+      "corpus/README.md describes the format.\n"
       "\nExample:\n"
       "  plumbline replay corpus/hard --tracer woop_watertight_f32");
   verb->callback([options, &disagreement] { disagreement = run(*options); });

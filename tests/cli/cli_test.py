@@ -134,6 +134,12 @@ class Trace(CliTest):
             '{"id":2,"tracer":"exact","hit":false,"t":null,"u":null,"v":null,"in":null,"out":null}\n')
         self.assertEqual(result.returncode, 0)
 
+    def test_exact_has_no_answer_to_what_is_invalid(self):
+        result = run("trace", "--tracer", "exact", "-", text=question(1, '["nan",0,2]') +
+                     f'{{{UNIT},"origin":[0,0,1],"direction":[0,0,0]}}\n')
+        self.assertEqual([(json.loads(line)["hit"], json.loads(line)["fault"]) for line in result.stdout.splitlines()],
+                         [(None, True)] * 2)
+
     def test_segments(self):
         plate = ',"mode":"plate","thickness":0.5,"position":"centred","cosine":true,"orientation":"none"'
         result = run("trace", "--tracer", "brlcad_bot_classic", "-", text=question(1, "[0.25,0.25,2]", plate))
@@ -150,6 +156,8 @@ class Trace(CliTest):
     def test_trouble(self):
         self.assert_trouble(run("trace", "--tracer", "mueller_trumbore", "-"),
                             "unknown tracer 'mueller_trumbore'", "exact")
+        self.assert_trouble(run("trace", "--tracer", "plucker_f23", "-"),
+                            "unknown tracer 'plucker_f23'; did you mean 'plucker_f32'?")
         self.assert_trouble(run("trace", "-"), "--tracer is required", "plumbline trace --help")
 
 
@@ -187,11 +195,19 @@ class Judge(CliTest):
             with self.subTest(more=more, tracer=tracer):
                 self.assertEqual(self.judge(more[1:], tracer=tracer).returncode, code)
 
+    def test_unknown_tracer_is_warned_of_once(self):
+        result = self.judge(*['"hit":true,"tracer":"plucker_f23"'] * 3, '"hit":true,"tracer":"plucker_f64"')
+        self.assertEqual(result.returncode, 0)
+        self.assertEqual(result.stderr.splitlines()[:-1],
+                         ["warning: 'plucker_f23' is no tracer of this build: judged by the default contract; "
+                          "did you mean 'plucker_f32'?"])
+        self.assertNotIn("warning", self.judge('"hit":true,"tracer":"plucker_f23"', tracer="exact").stderr)
+
     def test_trouble(self):
         self.assert_trouble(run("judge", "-"), "nothing to judge")
         self.assert_trouble(run("judge", "-", text="\n\n"), "nothing to judge")
         self.assert_trouble(run("judge", "-", text=question(1, "[0,0,1]")), "<stdin>:1:1: no answer to judge")
-        self.assert_trouble(self.judge('"hit":true', '"hit":1'), "<stdin>:2:", "true or false")
+        self.assert_trouble(self.judge('"hit":true', '"hit":1'), "<stdin>:2:", "expected true, false or null, not 1")
         self.assert_trouble(self.judge('"hit":true', tracer="nobody"), "unknown tracer 'nobody'")
 
 
@@ -227,6 +243,14 @@ class Replay(CliTest):
         self.assertEqual(gone.returncode, 1)
         self.assertIn("x: exact: known as false-miss, it is now correct; remove the line 'known'", gone.stdout)
 
+    def test_known_findings_of_unknown_tracers(self):
+        result = self.replay(self.CASE + "known plucker_f23 false-miss\nknown exact false-miss\n",
+                             "--tracer", "plucker_f64")
+        self.assertEqual((result.returncode, result.stdout), (0, ""))
+        self.assertRegex(result.stderr, r"\A.*, 1 known findings of tracers not asked\n"
+                         r"warning: 1 known findings of 'plucker_f23', which is unknown to this build; "
+                         r"did you mean 'plucker_f32'\?\n\Z")
+
     def test_folders_are_searched_to_the_bottom(self):
         (self.folder / "deep").mkdir()
         self.write("deep/a.case", self.CASE)
@@ -240,6 +264,8 @@ class Replay(CliTest):
         self.assert_trouble(self.replay(self.CASE.replace("ray", "rya")),
                             "x.case:3:1: unknown key 'rya'; did you mean 'ray'?")
         self.assert_trouble(self.replay(self.CASE + "triangle 0 0 0 1 0 0 0 0 1"), "case 'x' has 2 triangles")
+        self.assert_trouble(self.replay(question(1, "[0,0,1]")), "x.case:1:1: this is JSON, and .case text is expected")
+        self.assert_trouble(self.replay("x" * 100), "x.case:1:1: unknown key '" + "x" * 40 + "...'; known: case,")
         self.assert_trouble(self.replay(""), "no case in this file")
         self.assert_trouble(run("replay", self.folder / "none"), "none: cannot be opened: No such file")
         (self.folder / "empty").mkdir()
@@ -299,7 +325,7 @@ class Tracers(CliTest):
 
 
 class Everywhere(CliTest):
-    VERBS = ("sweep", "classify", "trace", "judge", "replay", "explain", "tracers")
+    VERBS = ("sweep", "lattice", "classify", "trace", "judge", "replay", "explain", "tracers")
 
     def test_help_and_version(self):
         self.assertRegex(run("--version").stdout, r"\Aplumbline \d+\.\d+\.\d+\n\Z")
