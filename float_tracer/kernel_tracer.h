@@ -57,17 +57,27 @@ class PreparedKernelBag final : public PreparedBag {
   std::vector<typename Kernel::PreparedTriangle> triangles_;
 };
 
-/// All the textbook kernels declare the same: two-sided, closed edges, closed range, no widening.
+/// The kernel's own promise, `static constexpr Contract contract`, if it has one; else what all the textbook kernels
+/// declare: two-sided, closed edges, closed range, no widening. The precision is always that of its Scalar.
+template <class Kernel>
+constexpr Contract contract_of() {
+  Contract contract;
+  if constexpr (requires { Kernel::contract; }) contract = Kernel::contract;
+  contract.precision = std::is_same_v<typename Kernel::Scalar, float> ? Precision::binary32 : Precision::binary64;
+  return contract;
+}
+
+/// The tracer NAME_f32 or NAME_f64.
 template <class Kernel>
 class KernelTracer final : public Tracer {
-  static constexpr bool single = std::is_same_v<typename Kernel::Scalar, float>;
+  static constexpr Contract contract = contract_of<Kernel>();
 
  public:
   KernelTracer()
-      : Tracer({.name = std::string(Kernel::name) + (single ? "_f32" : "_f64"),
+      : Tracer({.name = std::string(Kernel::name) + (contract.precision == Precision::binary32 ? "_f32" : "_f64"),
                 .summary = std::string(Kernel::summary),
                 .source = std::string(Kernel::source),
-                .contract = {.precision = single ? Precision::binary32 : Precision::binary64}}) {}
+                .contract = contract}) {}
 
   std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override {
     return std::make_unique<PreparedKernelBag<Kernel>>(bag);

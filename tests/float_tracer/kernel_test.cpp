@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "case/float_bits.h"
+#include "float_tracer/kernel_tracer.h"
+#include "float_tracer/moller_trumbore.h"
 #include "tests/float_tracer/shoot.h"
 
 namespace plumbline {
@@ -215,6 +217,21 @@ TEST(SharedEdge, WoopAndPluckerLeaveNoGap) {
       EXPECT_EQ(answer.outcome, Outcome::hit) << name << " " << i;
     }
   }
+}
+
+// A kernel with a promise of its own.
+template <class Real>
+struct OneSided : MollerTrumbore<Real> {
+  static constexpr Contract contract = {.edges = EdgeRule::open, .culling = Culling::back};
+};
+
+TEST(KernelContract, IsTheKernelsOwnIfItHasOne) {
+  const KernelTracer<OneSided<float>> tracer;
+  EXPECT_EQ(tracer.info().contract.edges, EdgeRule::open);
+  EXPECT_EQ(tracer.info().contract.culling, Culling::back);
+  EXPECT_EQ(tracer.info().contract.precision, Precision::binary32);
+  EXPECT_EQ(KernelTracer<OneSided<double>>().info().contract.precision, Precision::binary64);
+  EXPECT_EQ(KernelTracer<MollerTrumbore<float>>().info().contract.culling, Culling::none);
 }
 
 }  // namespace
