@@ -28,8 +28,10 @@ void add_lattice(CLI::App& app) {
   auto options = std::make_shared<LatticeOptions>();
   CLI::App* verb = app.add_subcommand("lattice", "Print the triangles of a lattice as CSV");
   verb->footer(
-      "Every ordered triple of the points offset + k * step of the box, collinear ones left out; the index counts\n"
-      "these too, c fastest. Coordinates are the doubles nearest to the exact ones, in shortest decimals.\n\n"
+      "Every ordered triple a, b, c of the points offset + k * step of the box, collinear ones left out; the index\n"
+      "counts these too. c runs fastest, and of each point z. Coordinates are the doubles nearest to the exact ones, "
+      "in\n"
+      "shortest decimals.\n\n"
       "  plumbline lattice --box 1 1 1 --step 0.5 > triangles.csv");
   add_lattice_options(*verb, *options);
   verb->callback([options] { print_lattice(*options); });

@@ -26,7 +26,7 @@ std::string unknown_verb(const CLI::App& app, const std::string& word) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("An exact reference oracle and fuzzer for ray/triangle intersection.", "plumbline");
+  CLI::App app("An exact reference oracle for ray/triangle intersection.", "plumbline");
   app.set_version_flag("--version", "plumbline " PLUMBLINE_VERSION);
   app.require_subcommand(1);
 

@@ -34,8 +34,13 @@ inline constexpr const char* question_keys =
     "  direction    [x,y,z], of any length but zero; t counts in lengths of it\n"
     "  t_min, t_max the closed range of t (default 0 and null = infinity); t_min \"-inf\": the whole line\n"
     "  precision    \"binary32\" or \"binary64\" (default): all numbers have to be of it\n"
-    "  mode, thickness, position, cosine, orientation   for plates and solids (default \"surface\")\n"
-    "  target, tolerance, standoff, wish                how the ray was aimed; not looked at here\n"
-    "A number is a JSON number, or a string with a hexfloat (\"0x1.8p+0\"), \"inf\" or \"-inf\".\n";
+    "  mode         \"surface\" (default), \"solid\", or \"plate\": then thickness (required), position \"centred\" "
+    "or\n"
+    "               \"appended\", and cosine true or false\n"
+    "  orientation  \"none\" (default), \"ccw\" or \"cw\"\n"
+    "  target, tolerance, standoff, wish   how the ray was aimed; not looked at here\n"
+    "A number is a JSON number, or a string with a hexfloat (\"0x1.8p+0\"), \"inf\", \"-inf\" or \"nan\".\n"
+    "A malformed line ends it all with exit code 2: standard output keeps what precedes it, a file of -o doesn't "
+    "appear.\n";
 
 }  // namespace plumbline
