@@ -37,7 +37,7 @@ TEST_P(Soak, MpqAgrees) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Soak, testing::Range<std::size_t>(0, family_names.size()),
-                         [](const auto& info) { return std::string(family_names[info.param]); });
+                         [](const auto& each) { return std::string(family_names[each.param]); });
 
 }  // namespace
 }  // namespace plumbline::judges

@@ -29,7 +29,9 @@ TEST(FilterErrorNightly, WrongSignsStayBelowHalfTheBound) {
       const Worst worst = climb(measured, Objective::wrong_side, {.rounding = mode}, random, 5000000);
       print_row(measured, mode_name, worst);
       std::fflush(stdout);
-      if (measured != Measured::V_alone) EXPECT_LT(worst.ratio, 0.5);
+      if (measured != Measured::V_alone) {
+        EXPECT_LT(worst.ratio, 0.5);
+      }
     }
 }
 

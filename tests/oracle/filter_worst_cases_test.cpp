@@ -158,7 +158,9 @@ TEST(FilterWorstCases, AreDecidedRightlyOrNotAtAll) {
     SCOPED_TRACE(testing::Message() << measured_names[static_cast<std::size_t>(worst.measured)] << ' ' << environment);
     const double wrong = ratio(worst.shot, worst.measured, Objective::wrong_side, environment);
     EXPECT_GT(wrong, 1.0 / 16);
-    if (worst.measured != Measured::V_alone) EXPECT_LT(wrong, 0.5);
+    if (worst.measured != Measured::V_alone) {
+      EXPECT_LT(wrong, 0.5);
+    }
     const Truth expected = judges::mpq_truth(worst.shot.triangle, worst.shot.ray);
     for (const Stage& stage : all_stages()) {
       std::optional<Truth> answer;
@@ -166,7 +168,9 @@ TEST(FilterWorstCases, AreDecidedRightlyOrNotAtAll) {
         const FloatScope scope(environment);
         answer = ask(stage, worst.shot);
       }
-      if (answer) EXPECT_EQ(*answer, expected) << stage.name() << '\n' << explain(worst.shot.triangle, worst.shot.ray);
+      if (answer) {
+        EXPECT_EQ(*answer, expected) << stage.name() << '\n' << explain(worst.shot.triangle, worst.shot.ray);
+      }
     }
   }
 }
@@ -213,8 +217,9 @@ TEST(FilterWorstCases, NormsOfDifferentSizes) {
     if (stage.kind == Stage::residue || stage.kind == Stage::integer) continue;
     const auto answers = ask(stage, shots);
     for (std::size_t i = 0; i < shots.size(); ++i)
-      if (answers[i])
+      if (answers[i]) {
         ASSERT_EQ(*answers[i], expected[i]) << stage.name() << '\n' << explain(shots[i].triangle, shots[i].ray);
+      }
   }
 }
 

@@ -30,11 +30,13 @@ void expect_same_everywhere(std::vector<Shot> shots) {
       }
       for (std::size_t i = 0; i < shots.size(); ++i) {
         // The filter may decide more in one mode than in another; which it decides must be right.
-        if (stage.kind != Stage::filter)
+        if (stage.kind != Stage::filter) {
           ASSERT_EQ(answers[i].has_value(), usual[i].has_value()) << stage.name() << ' ' << environment;
-        if (answers[i])
+        }
+        if (answers[i]) {
           ASSERT_EQ(*answers[i], expected[i]) << stage.name() << ' ' << environment << '\n'
                                               << explain(shots[i].triangle, shots[i].ray);
+        }
       }
     }
   }
@@ -100,7 +102,7 @@ TEST(FloatEnvironments, GiveTheSameTruthsAtTheEndsOfTheRange) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EveryEnvironment, testing::Range<std::size_t>(0, family_names.size()),
-                         [](const auto& info) { return std::string(family_names[info.param]); });
+                         [](const auto& each) { return std::string(family_names[each.param]); });
 
 }  // namespace
 }  // namespace plumbline

@@ -9,7 +9,7 @@
 namespace plumbline {
 namespace {
 
-using Int = __int128;
+__extension__ using Int = __int128;
 using IntVec = std::array<Int, 3>;
 
 // Towards zero, to the 53 bits of a double.

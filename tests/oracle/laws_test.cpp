@@ -109,7 +109,9 @@ TEST_P(Laws, AxesMayBeScaledByPowersOfTwo) {
       EXPECT_EQ(truth_of(*other), truth) << explain(s.triangle, s.ray);
     }
   });
-  if (family() != Family::full_range) EXPECT_GT(scaled_cases, 100);
+  if (family() != Family::full_range) {
+    EXPECT_GT(scaled_cases, 100);
+  }
 }
 
 // D -> k D takes t to t / k.
@@ -137,7 +139,9 @@ TEST_P(Laws, TheDirectionMayBeScaled) {
       EXPECT_EQ(classify(s.triangle, ray), truth) << k << '\n' << explain(s.triangle, s.ray);
     }
   });
-  if (family() != Family::full_range) EXPECT_GT(scaled_cases, 100);
+  if (family() != Family::full_range) {
+    EXPECT_GT(scaled_cases, 100);
+  }
 }
 
 // D -> -D takes t to -t.
@@ -180,11 +184,13 @@ TEST_P(Laws, ASharedEdgeIsTheSameFromBothSides) {
       }
     }
   });
-  if (family() == Family::exact_edge23 || family() == Family::exact_edge51) EXPECT_GT(met, 500);
+  if (family() == Family::exact_edge23 || family() == Family::exact_edge51) {
+    EXPECT_GT(met, 500);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Laws, testing::Range<std::size_t>(0, family_names.size()),
-                         [](const auto& info) { return std::string(family_names[info.param]); });
+                         [](const auto& each) { return std::string(family_names[each.param]); });
 
 }  // namespace
 }  // namespace plumbline

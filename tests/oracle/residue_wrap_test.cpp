@@ -44,8 +44,8 @@ Edges edges_with_normal(std::int64_t n, std::int64_t y) {
 // A at `a` from the origin, which is placed so that all coordinates stay below 2^30: they are differences of two.
 Shot shot_of(const Vec3& a, const Edges& edges, const Vec3& direction) {
   const auto half = [](double x) { return std::floor(x / 2); };
-  const auto all_of = [](double o, double a, double e1, double e2) {
-    return std::array{o, o + a, o + a + e1, o + a + e2};
+  const auto all_of = [](double p, double to_a, double e1, double e2) {
+    return std::array{p, p + to_a, p + to_a + e1, p + to_a + e2};
   };
   const Vec3 o = {-half(a.x), -half(a.y + edges.e1.y), -half(a.z + std::max(edges.e1.z, edges.e2.z))};
   const auto x = all_of(o.x, a.x, edges.e1.x, edges.e2.x), y = all_of(o.y, a.y, edges.e1.y, edges.e2.y),

@@ -34,8 +34,12 @@ const std::vector<Stage>& residue_stages() {
 // A decided answer is right; `must` says whether there has to be one, where that is known.
 void expect_answer(const Stage& stage, const Shot& shot, const Truth& expected, std::optional<bool> must) {
   const auto answer = ask(stage, shot);
-  if (must) ASSERT_EQ(answer.has_value(), *must) << stage.name() << '\n' << explain(shot.triangle, shot.ray);
-  if (answer) ASSERT_EQ(*answer, expected) << stage.name() << '\n' << explain(shot.triangle, shot.ray);
+  if (must) {
+    ASSERT_EQ(answer.has_value(), *must) << stage.name() << '\n' << explain(shot.triangle, shot.ray);
+  }
+  if (answer) {
+    ASSERT_EQ(*answer, expected) << stage.name() << '\n' << explain(shot.triangle, shot.ray);
+  }
 }
 
 void expect_at_width(const Shot& shot) {
