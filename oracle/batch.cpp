@@ -42,8 +42,9 @@ Isa best_isa() {
 }
 
 // Not inlined: its stack and spills would slow the callers, whose filter mostly decides.
-[[gnu::noinline]] Truth classify_scalar(const Triangle& triangle, const Ray& ray, StageCounts& counts) {
-  if (const auto decided = classify_integer(triangle, ray)) {
+[[gnu::noinline]] Truth classify_scalar(const Triangle& triangle, const Ray& ray, const KnownSigns& known,
+                                      StageCounts& counts) {
+  if (const auto decided = classify_integer(triangle, ray, known)) {
     ++counts.integer;
     return *decided;
   }
@@ -72,7 +73,7 @@ void classify(const Batch& batch, Isa isa, StageCounts* counts) {
       const auto r = [&](std::size_t c) { return block.ray[c][i]; };
       const auto t = [&](std::size_t c) { return block.triangle[c][j]; };
       block.truths[i] = classify_scalar({{t(0), t(1), t(2)}, {t(3), t(4), t(5)}, {t(6), t(7), t(8)}},
-                                            {{r(0), r(1), r(2)}, {r(3), r(4), r(5)}, r(6), r(7)}, sum);
+                                            {{r(0), r(1), r(2)}, {r(3), r(4), r(5)}, r(6), r(7)}, std::bit_cast<KnownSigns>(block.truths[i]), sum);
     }
     rest.skip(block.size);
   }

@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "case/geometry.h"
+#include "oracle/signs.h"
 #include "oracle/truth.h"
 
 namespace plumbline {
@@ -56,7 +57,7 @@ Isa best_isa();
 void classify(const Batch& batch, Isa isa, StageCounts* counts);
 
 /// One case by the stages past the vectors.
-Truth classify_scalar(const Triangle& triangle, const Ray& ray, StageCounts& counts);
+Truth classify_scalar(const Triangle& triangle, const Ray& ray, const KnownSigns& known, StageCounts& counts);
 
 /// How many cases of a run each vector stage left undecided.
 struct LaneCounts {
@@ -67,7 +68,7 @@ struct LaneCounts {
 inline constexpr std::uint32_t lane_block = 1024;
 
 /// The vector stages: decide what they can of a batch of at most lane_block cases, and list the indices of the others in
-/// `undecided`, which has room for as many.
+/// `undecided`, which has room for as many. In the place of the truth of an undecided case they leave its KnownSigns.
 using LaneStages = LaneCounts (*)(const Batch& batch, std::uint32_t* undecided);
 
 LaneCounts lane_stages_portable(const Batch& batch, std::uint32_t* undecided);
@@ -76,7 +77,10 @@ LaneCounts lane_stages_avx2(const Batch& batch, std::uint32_t* undecided);
 LaneCounts lane_stages_avx512(const Batch& batch, std::uint32_t* undecided);
 #endif
 
-// The vector stages write a Truth as one 64-bit word.
+// The vector stages write a Truth, or KnownSigns, as one 64-bit word.
+static_assert(sizeof(KnownSigns) == 8 && offsetof(KnownSigns, det) == 0 && offsetof(KnownSigns, ab) == 1 &&
+              offsetof(KnownSigns, bc) == 2 && offsetof(KnownSigns, ca) == 3 && offsetof(KnownSigns, past_min) == 4 &&
+              offsetof(KnownSigns, past_max) == 5);
 static_assert(sizeof(Truth) == 8 && offsetof(Truth, hit_class) == 0 && offsetof(Truth, feature) == 1 &&
               offsetof(Truth, det_sign) == 2 && offsetof(Truth, versus_t_min) == 3 && offsetof(Truth, versus_t_max) == 4 &&
               offsetof(Truth, invalid) == 5 && std::endian::native == std::endian::little);

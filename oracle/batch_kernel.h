@@ -107,50 +107,87 @@ class BatchKernel {
     Real t_min, t_max;
   };
 
+ private:
+  static constexpr double infinity = __builtin_inf();
+
+  // The filter's values, each multiplied by the sign of det, and the bounds of their errors.
+  struct Bounded {
+    Real det, T, ab, bc, ca;
+    Real det_error, T_error, w_error, w_bc_error;
+    Int crosses;   // det is proved to be other than zero, and no bound of t is NaN
+    Int sign_bit;  // of det
+
+    [[gnu::always_inline]] explicit Bounded(const Cases& s) {
+      constexpr double k46 = 0x1p-46, low = 0x1p-300, high = 0x1p+300;
+      const Determinants<RealVec> x(s.o, s.d, s.a, s.b, s.c);
+      const Real m_d = max_norm(s.d), m_a = max_norm(x.a), m_e = L::max(max_norm(x.e1), max_norm(x.e2));
+      const Real least = L::min(L::min(m_d, m_a), m_e), most = L::max(L::max(m_d, m_a), m_e);
+      const Int in_bounds = (least > low) & (most < high) & (s.t_min == s.t_min) & (s.t_max == s.t_max);
+      const Real scale = k46 * m_e, scale_d = scale * m_d;
+      det_error = scale_d * m_e;
+      w_error = scale_d * m_a;
+      w_bc_error = 2.0 * (w_error + det_error);
+      T_error = scale * m_e * m_a;
+      const Int sign = L::as_int(x.det) & (Int{} + static_cast<long long>(0x8000000000000000ull));
+      const auto along = [sign](Real v) { return L::as_real(L::as_int(v) ^ sign); };
+      sign_bit = sign;
+      det = L::abs(x.det);
+      T = along(x.T);
+      ab = along(x.w_ab);
+      bc = along(x.w_bc);
+      ca = along(x.w_ca);
+      crosses = in_bounds & (det > det_error);
+    }
+
+    // V(tau), and whether its sign is proved. An infinite tau is answered by the difference's own sign.
+    [[gnu::always_inline]] Real versus(Real tau, Int& known) const {
+      const Real v = T - tau * det, error = T_error + L::abs(tau) * det_error;
+      known = (Int)(L::abs(v) > error) | (Int)(L::abs(tau) == infinity);
+      return v;
+    }
+  };
+
+ public:
   /// Writes a truth for each lane; returns the mask of the lanes for which it is proved.
   [[gnu::always_inline]] static Int filter(const Cases& s, Word& truth) {
-    constexpr double infinity = __builtin_inf(), k46 = 0x1p-46, low = 0x1p-300, high = 0x1p+300;
-    const Determinants<RealVec> x(s.o, s.d, s.a, s.b, s.c);
-    const Real m_d = max_norm(s.d), m_a = max_norm(x.a), m_e = L::max(max_norm(x.e1), max_norm(x.e2));
-    const Real least = L::min(L::min(m_d, m_a), m_e), most = L::max(L::max(m_d, m_a), m_e);
-    const Int in_bounds = (least > low) & (most < high) & (s.t_min == s.t_min) & (s.t_max == s.t_max);
-    const Real scale = k46 * m_e, scale_d = scale * m_d;
-    const Real det_error = scale_d * m_e, w_error = scale_d * m_a, w_bc_error = 2.0 * (w_error + det_error);
-    const Real T_error = scale * m_e * m_a;
-
-    const Int sign_bit = L::as_int(x.det) & (Int{} + static_cast<long long>(0x8000000000000000ull));
-    const auto along = [&](Real v) { return L::as_real(L::as_int(v) ^ sign_bit); };  // v times the sign of det
-    const Real det = L::abs(x.det), T = along(x.T), ab = along(x.w_ab), bc = along(x.w_bc), ca = along(x.w_ca);
-    const Int crosses = in_bounds & (det > det_error);
-    const Real least_w = L::min(ab, ca);  // a NaN would be in both: it comes with a
-    const Int outside = crosses & ((least_w < -w_error) | (bc < -w_bc_error));
-    const Word miss = (Word{} + static_cast<unsigned>(HitClass::exterior)) | sign_byte(sign_bit != 0, Int{}, det_sign_at);
+    const Bounded x(s);
+    const Real least_w = L::min(x.ab, x.ca);  // a NaN would be in both: it comes with a
+    const Int outside = x.crosses & ((least_w < -x.w_error) | (x.bc < -x.w_bc_error));
+    const Word front = sign_byte(x.sign_bit != 0, Int{}, det_sign_at);
+    const Word miss = (Word{} + static_cast<unsigned>(HitClass::exterior)) | front;
     if constexpr (W == 1) {  // a branch pays where no other lane waits
       if (outside) {
         truth = miss;
         return outside;
       }
     }
-    const Int inside = crosses & (least_w > w_error) & (bc > w_bc_error);
-
-    const Word front = sign_byte(sign_bit != 0, Int{}, det_sign_at);
+    const Int inside = x.crosses & (least_w > x.w_error) & (x.bc > x.w_bc_error);
     // The usual range, [0, inf): V(0) is T, and any t is below infinity. Bits tell zero, whatever DAZ says.
     if (L::all_true((Int)((L::as_int(s.t_min) << 1) == 0) & (Int)(s.t_max == infinity))) {
-      const Word hit = front | sign_byte(T < 0.0, Int{}, t_min_at) | (Word{} + 0xff) << t_max_at;
+      const Word hit = front | sign_byte(x.T < 0.0, Int{}, t_min_at) | (Word{} + 0xff) << t_max_at;
       truth = outside ? miss : hit;
-      return outside | (inside & (L::abs(T) > T_error));
+      return outside | (inside & (L::abs(x.T) > x.T_error));
     }
-    // V(tau), and whether its sign is proved. An infinite tau is answered by the difference's own sign.
-    const auto versus = [&](Real tau, Int& known) {
-      const Real v = T - tau * det, error = T_error + L::abs(tau) * det_error;
-      known = (Int)(L::abs(v) > error) | (Int)(L::abs(tau) == infinity);
-      return v;
-    };
     Int min_known, max_known;
-    const Real past_min = versus(s.t_min, min_known), past_max = versus(s.t_max, max_known);
+    const Real past_min = x.versus(s.t_min, min_known), past_max = x.versus(s.t_max, max_known);
     const Word hit = front | sign_byte(past_min < 0.0, Int{}, t_min_at) | sign_byte(past_max < 0.0, Int{}, t_max_at);
     truth = outside ? miss : hit;
     return outside | (inside & min_known & max_known);
+  }
+
+  /// What the filter knows of each lane, as KnownSigns.
+  static Word known_signs(const Cases& s) {
+    const Bounded x(s);
+    const auto known_byte = [&](Real v, Int known, int at) {
+      return x.crosses & known ? sign_byte(v < 0.0, Int{}, at) : (Word{} + KnownSigns::unknown) << at;
+    };
+    const auto beyond = [](Real v, Real error) { return (Int)(L::abs(v) > error); };
+    Int min_known, max_known;
+    const Real past_min = x.versus(s.t_min, min_known), past_max = x.versus(s.t_max, max_known);
+    return (x.crosses ? sign_byte(x.sign_bit != 0, Int{}, 0) : Word{} + KnownSigns::unknown) |
+           known_byte(x.ab, beyond(x.ab, x.w_error), 8) | known_byte(x.bc, beyond(x.bc, x.w_bc_error), 16) |
+           known_byte(x.ca, beyond(x.ca, x.w_error), 24) | known_byte(past_min, min_known, 32) |
+           known_byte(past_max, max_known, 40);
   }
 
   /// The residue stage, of the same form.
@@ -265,6 +302,9 @@ class BatchDriver {
 
  private:
   void store(std::uint32_t i, Word truth) { std::memcpy(static_cast<void*>(batch_.truths + i), &truth, sizeof truth); }
+  void store_lane(std::uint32_t i, const Word& words, std::uint32_t lane) {
+    std::memcpy(static_cast<void*>(batch_.truths + i), reinterpret_cast<const char*>(&words) + 8 * lane, 8);
+  }
 
   [[gnu::always_inline]] typename Kernel::Cases load(std::uint32_t i) const {
     const auto ray = [&](int k) { return L::load(batch_.ray[k] + i); };
@@ -301,11 +341,19 @@ class BatchDriver {
         sparse_[sparse_count_++] = i + static_cast<unsigned>(__builtin_ctz(rest));
       return;
     }
-    residue_first_ = !batch_.skip_filter;
+    if (residue_pause_ != 0) {
+      --residue_pause_;
+      return list_undecided(i, open);
+    }
     Word exact;
     const Int decided = Kernel::residue(load(i), exact);
+    const unsigned left = open & ~L::bits(decided);
+    if (!batch_.skip_filter) {
+      residue_first_ = left != open;
+      residue_pause_ = left != open ? 0 : 15;
+    }
     store(i, decided ? exact : truth);
-    list_undecided(i, open & ~L::bits(decided));
+    list_undecided(i, left);
   }
 
   // For data like lattices, of which the filter decides little.
@@ -324,18 +372,23 @@ class BatchDriver {
   }
 
   void list_undecided(std::uint32_t i, unsigned lanes) {
+    if (lanes == 0) return;
+    const Word known = Kernel::known_signs(load(i));
+    for (unsigned k = 0; k < W; ++k)
+      if (lanes >> k & 1) store_lane(i + k, known, k);
     for (; lanes != 0; lanes &= lanes - 1)
       undecided_[counts_.past_residue++] = i + static_cast<unsigned>(__builtin_ctz(lanes));
   }
 
   void residue_listed(const std::uint32_t* index, std::uint32_t n) {
     Word truth;
-    const unsigned decided = L::bits(Kernel::residue(gather(index, n), truth));
-    for (std::size_t lane = 0; lane < n; ++lane) {
-      if ((decided >> lane & 1) == 0)
-        undecided_[counts_.past_residue++] = index[lane];
-      else
-        std::memcpy(static_cast<void*>(batch_.truths + index[lane]), reinterpret_cast<const char*>(&truth) + 8 * lane, 8);
+    const auto cases = gather(index, n);
+    const unsigned decided = L::bits(Kernel::residue(cases, truth));
+    const Word known = Kernel::known_signs(cases);
+    for (std::uint32_t lane = 0; lane < n; ++lane) {
+      const bool is_decided = decided >> lane & 1;
+      store_lane(index[lane], is_decided ? truth : known, lane);
+      if (!is_decided) undecided_[counts_.past_residue++] = index[lane];
     }
   }
 
@@ -345,9 +398,9 @@ class BatchDriver {
     for (std::uint32_t lane = 0; lane < n; ++lane) lanes[lane] = from + lane;
     Word truth{};
     const unsigned decided = batch_.skip_filter ? 0 : L::bits(Kernel::filter(gather(lanes, n), truth));
-    for (std::size_t lane = 0; lane < n; ++lane) {
+    for (std::uint32_t lane = 0; lane < n; ++lane) {
       if (decided >> lane & 1) {
-        std::memcpy(static_cast<void*>(batch_.truths + lanes[lane]), reinterpret_cast<const char*>(&truth) + 8 * lane, 8);
+        store_lane(lanes[lane], truth, lane);
       } else {
         ++counts_.past_filter;
         sparse_[sparse_count_++] = lanes[lane];
@@ -359,7 +412,9 @@ class BatchDriver {
 
   const Batch& batch_;
   std::uint32_t* undecided_;
-  bool residue_first_ = false;  // what the last group was like
+  // What the last groups were like: decided by the residue stage, or by neither, so that it is left out for some groups.
+  bool residue_first_ = false;
+  unsigned residue_pause_ = 0;
   typename L::Real triangle_[9];
   LaneCounts counts_;
   std::uint32_t sparse_count_ = 0;

@@ -18,13 +18,12 @@ std::array<const double*, 9> columns(const Triangle& t) {
 Truth classify(const Triangle& triangle, const Ray& ray) {
   using Filter = BatchKernel<1>;
   const auto vec = [](const Vec3& v) { return Filter::RealVec{v.x, v.y, v.z}; };
+  const Filter::Cases one = {vec(ray.origin), vec(ray.direction), vec(triangle.a), vec(triangle.b), vec(triangle.c),
+                             ray.t_min,       ray.t_max};
   Lanes<1>::Word truth;
-  if (Filter::filter({vec(ray.origin), vec(ray.direction), vec(triangle.a), vec(triangle.b), vec(triangle.c), ray.t_min,
-                      ray.t_max},
-                     truth))
-    return std::bit_cast<Truth>(truth);
+  if (Filter::filter(one, truth)) return std::bit_cast<Truth>(truth);
   StageCounts counts;
-  return classify_scalar(triangle, ray, counts);
+  return classify_scalar(triangle, ray, std::bit_cast<KnownSigns>(Filter::known_signs(one)), counts);
 }
 
 void classify(const Triangle& triangle, std::span<const Ray> rays, std::span<Truth> truths) {

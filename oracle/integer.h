@@ -4,11 +4,13 @@
 #include <optional>
 
 #include "case/geometry.h"
+#include "oracle/signs.h"
 #include "oracle/truth.h"
 
 namespace plumbline {
 
-/// No value where the case is invalid, or its coordinates do not fit (integer_case.h).
-std::optional<Truth> classify_integer(const Triangle& triangle, const Ray& ray);
+/// No value where the case is invalid, or its coordinates do not fit (integer_case.h). Computes the determinants whose
+/// signs are not known.
+std::optional<Truth> classify_integer(const Triangle& triangle, const Ray& ray, const KnownSigns& known = {});
 
 }  // namespace plumbline

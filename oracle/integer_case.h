@@ -13,6 +13,7 @@ namespace plumbline {
 struct IntegerVec {
   std::int64_t x = 0, y = 0, z = 0;
 };
+inline IntegerVec operator+(const IntegerVec& p, const IntegerVec& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
 inline IntegerVec operator-(const IntegerVec& p, const IntegerVec& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
 
 struct IntegerCross {

@@ -1,8 +1,17 @@
-// From the signs of the determinants to the class. Shared by the scalar stages; private to the oracle.
+// Signs of the determinants: what one stage knows of them for the next, and the class they make. Private to the oracle.
 #pragma once
 #include "oracle/truth.h"
 
 namespace plumbline {
+
+/// What is proved of a case that is not decided: -1, 0, 1 or unknown. Where det is unknown, so is the rest.
+struct KnownSigns {
+  static constexpr signed char unknown = 2;
+  signed char det = unknown;
+  signed char ab = unknown, bc = unknown, ca = unknown;  ///< of w times the sign of det
+  signed char past_min = unknown, past_max = unknown;    ///< of t - t_min, t - t_max
+  signed char unused[2] = {};
+};
 
 /// det != 0: class and feature from the signs of the w, each multiplied by the sign of det.
 inline void place(Truth& truth, int ab, int bc, int ca) {

@@ -172,7 +172,8 @@ void add_stages(Bench& bench, Isa isa) {
   bench.methods.push_back(exact_lanes("exact_batch_without_filter", bench.judged, batch, isa));
   bench.valid =
       part_of(bench.judged, bench.judged.shots.size(), [](const Truth& t) { return t.invalid == Invalid::none; });
-  bench.methods.push_back(one_by_one("integer", Answers::truth, bench.valid, classify_integer));
+  bench.methods.push_back(one_by_one("integer", Answers::truth, bench.valid,
+                                     [](const Triangle& t, const Ray& r) { return classify_integer(t, r); }));
   bench.methods.push_back(one_by_one("accumulate", Answers::truth, bench.valid, classify_accumulate));
 }
 
