@@ -49,12 +49,12 @@ Output::Output(std::string path) : path_(std::move(path)) {
   struct stat status {};
   const bool exists = stat(path_.c_str(), &status) == 0;
   if (!exists && errno != ENOENT) fail("cannot be opened for writing", errno);
-  target_ = without_links(path_);
   if (!exists || S_ISREG(status.st_mode)) {
+    target_ = without_links(path_);
     part_ = fmt::format("{}.{}.part", target_, getpid());
     remove_on_signal(part_.c_str());
   }
-  descriptor_ = open((part_.empty() ? target_ : part_).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  descriptor_ = open((part_.empty() ? path_ : part_).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor_ < 0) {
     const int error = errno;
     forget_part();

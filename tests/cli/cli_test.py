@@ -367,6 +367,10 @@ class Everywhere(CliTest):
         (self.folder / "ring").symlink_to("ring")
         self.assert_trouble(run("classify", "-", "-o", self.folder / "ring"), "Too many levels of symbolic links")
 
+    def test_output_to_a_pipe_by_name(self):
+        result = run("classify", "-", "-o", "/dev/stdout", text=question(1, "[0,0,1]"))
+        self.assertEqual((result.returncode, result.stderr, result.stdout.count("\n")), (0, "", 1))
+
     def test_signals_leave_no_unfinished_file(self):
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             with self.subTest(number), subprocess.Popen([PROGRAM, "classify", "-", "-o", self.folder / "out"],
