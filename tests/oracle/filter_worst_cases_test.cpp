@@ -209,6 +209,11 @@ TEST(FilterWorstCases, NormsOfDifferentSizes) {
     for (auto turns = random() % 3; turns > 0; --turns)
       shot.triangle = {shot.triangle.b, shot.triangle.c, shot.triangle.a};
     if (random() % 2 == 0) shot.ray.t_max = 1 / length;
+    if (random() % 4 == 0) {  // backwards: negative t
+      const Vec3& d = shot.ray.direction;
+      shot.ray.direction = {-d.x, -d.y, -d.z};
+      shot.ray.t_min = -1 / length;
+    }
     if (shot.ray.direction == Vec3{}) continue;
     shots.push_back(shot);
     expected.push_back(judges::mpq_truth(shot.triangle, shot.ray));

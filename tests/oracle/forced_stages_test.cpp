@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdio>
+#include <random>
 
 #include "oracle/classify.h"
 #include "oracle/explain.h"
@@ -50,11 +51,11 @@ struct Share {
   std::size_t filter = 0, residue = 0, integer = 0;
 };
 Share expected_share(Family family) {
-  constexpr std::size_t all = count, most = count * 9 / 10;
+  constexpr std::size_t all = count, most = count * 9 / 10, nearly_all = count * 999 / 1000;
   switch (family) {
     case Family::random:
     case Family::small_far:
-      return {.filter = most, .integer = most};
+      return {.filter = nearly_all, .integer = most};
     case Family::lattice:
     case Family::exact_edge12:
     case Family::exact_edge23:
@@ -161,6 +162,36 @@ TEST_P(ForcedStages, TheLastCasesOfABatchAreCasesToo) {
         EXPECT_EQ(run.truths[i].has_value(),
                   ask({Stage::filter, isa}, shots[i]) || ask({Stage::residue, isa}, shots[i]));
     }
+}
+
+// Cases of all families side by side, so that the lanes of a group are decided by different stages.
+TEST(MixedBatches, AreDecidedCaseByCase) {
+  std::vector<Shot> shots;
+  std::vector<Truth> expected;
+  std::mt19937_64 random(judges::seed());
+  std::size_t family = 0;  // runs of one, of every length
+  for (std::uint64_t i = 0; i < 20000; ++i) {
+    if (random() % 4 == 0) family = random() % family_names.size();
+    const Shot shot = draw(static_cast<Family>(family), judges::seed() + 8, i);
+    if (shot.ray.direction == Vec3{}) continue;
+    shots.push_back(shot);
+    expected.push_back(judges::mpq_truth(shot.triangle, shot.ray));
+  }
+  for (const Isa isa : all_isas()) {
+    SCOPED_TRACE(name(isa));
+    const auto filter = ask({Stage::filter, isa}, shots), residue = ask({Stage::residue, isa}, shots);
+    const BlockRun run = run_blocks(isa, shots, false);
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+      ASSERT_TRUE(run.truths[i] || !filter[i]);
+      if (run.truths[i]) {
+        ASSERT_TRUE(filter[i] || residue[i]);
+        ASSERT_EQ(*run.truths[i], expected[i]) << explain(shots[i].triangle, shots[i].ray);
+      }
+    }
+    std::vector<Truth> truths(shots.size());
+    classify(Columns(shots).batch(truths.data()), isa, nullptr);
+    EXPECT_EQ(truths, expected);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ForcedStages, testing::Range<std::size_t>(0, family_names.size()),

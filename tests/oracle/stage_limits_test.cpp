@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "case/float_bits.h"
 #include "oracle/explain.h"
@@ -190,6 +191,33 @@ TEST(StageLimits, BoundsOfTheResidueStage) {
               ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::accumulate}, shot, expected, true)) << m;
             }
           }
+}
+
+// Zeros of both signs, infinities of both signs, subnormals and the largest numbers, at either end.
+TEST(StageLimits, SpecialBounds) {
+  constexpr double inf = std::numeric_limits<double>::infinity(), largest = std::numeric_limits<double>::max();
+  constexpr double bounds[] = {0.0, -0.0, 0x1p-1074, -0x1p-1074, 0.5, -0.5, 1, largest, -largest, inf, -inf};
+  for (const double dz : {1.0, -1.0, 0.75})
+    for (const double z : {1.0, -1.0, 0.0, 0.1})
+      for (const double low : bounds)
+        for (const double high : bounds) {
+          const Shot shot{{{-1, -1, z}, {1, -1, z}, {0, 1, z}}, {{0.25, -0.25, 0}, {0, 0, dz}, low, high}};
+          const Truth expected = judges::mpq_truth(shot.triangle, shot.ray);
+          for (const Stage& stage : all_stages()) {
+            const auto answer = ask(stage, shot);
+            if (answer) {
+              ASSERT_EQ(*answer, expected) << stage.name() << '\n' << explain(shot.triangle, shot.ray);
+            }
+            const auto easy = [&](double tau) { return std::isinf(tau) || (std::fabs(tau) < largest && z != 0 && z != dz); };
+            if (stage.kind == Stage::filter && easy(low) && easy(high) && std::fabs(z) == 1) {
+              ASSERT_TRUE(answer.has_value()) << low << ' ' << high;
+            }
+            const auto gridded = [](double tau) { return tau == 0 || std::isinf(tau) || std::fabs(tau) == 0.5 || tau == 1; };
+            if (stage.kind == Stage::residue && z != 0.1 && gridded(low) && gridded(high)) {
+              ASSERT_TRUE(answer.has_value()) << low << ' ' << high;
+            }
+          }
+        }
 }
 
 // The same limit with extreme corners, at every scale of points and direction.
