@@ -81,7 +81,7 @@ TripleRange triple_range(const Lattice& lattice, std::uint64_t first, std::optio
   const std::uint64_t triples = triple_count(lattice);
   if (first >= triples)
     throw InputError(
-        fmt::format("first {}: the lattice has the ordered triples 0 to {}; give one of these", first, triples - 1));
+        fmt::format("first {}: the lattice has the ordered triples [0, {}); give one of these", first, triples));
   if (count > triples - first)
     throw InputError(fmt::format("count {}: there are only {} ordered triples from {} on; give at most that", *count,
                                  triples - first, first));

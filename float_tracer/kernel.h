@@ -5,7 +5,8 @@
 //   name, summary, source            the tracer's name without its precision, one sentence, the paper;
 //   PreparedTriangle                 made from KernelTriangle<Real> once per triangle;
 //   PreparedRay                      made from KernelRay<Real> once per ray;
-//   intersect(triangle, ray)         std::optional<KernelHit<Real>>, empty for a miss.
+//   intersect(triangle, ray)         std::optional<KernelHit<Real>>, empty for a miss;
+//   contract                         optional: where its promises are others than kernel_tracer.h's.
 // Comparisons are written so that a NaN fails them: a kernel never hits because of a NaN.
 #pragma once
 #include "float_tracer/vec.h"
