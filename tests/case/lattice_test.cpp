@@ -97,7 +97,7 @@ TEST(Lattice, ChecksARangeOfTriples) {
   EXPECT_EQ(offset_of(lattice), (Vec3{0.25, 0.25, 0.25}));
   EXPECT_EQ(triple_range(lattice, 100, {}).end, 512);
   EXPECT_EQ(triple_range(lattice, 100, 412).end, 512);
-  EXPECT_THAT([&] { triple_range(lattice, 512, {}); }, ThrowsMessage<InputError>(HasSubstr("triples 0 to 511")));
+  EXPECT_THAT([&] { triple_range(lattice, 512, {}); }, ThrowsMessage<InputError>(HasSubstr("triples [0, 512)")));
   EXPECT_THAT([&] { triple_range(lattice, 100, 413); },
               ThrowsMessage<InputError>(HasSubstr("only 412 ordered triples")));
 }

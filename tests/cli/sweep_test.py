@@ -74,7 +74,7 @@ class Sweep(unittest.TestCase):
                 (["--jobs", "0"], "--jobs"),
                 (["--normal", "unit"], "--normal"),
                 (["--mode", "blob"], "--mode"),
-                (["--first", "512"], "triples 0 to 511"),
+                (["--first", "512"], "triples [0, 512)"),
                 (["--box", "2", "--step", "1"], "--box: 3 numbers X Y Z, before '--step'"),
                 (["--offset", "1", "-.5", "--json"], "--offset: 3 numbers X Y Z, before '--json'"),
                 (["--first", "-1"], "--first: '-1' is no whole number below 2^64; write digits alone, like 1000"),
