@@ -180,7 +180,7 @@ MUTANTS = [
     (KERNEL, "steps(bits - 1)", "steps(bits - 2)"),
     (KERNEL, "L::abs(value) >= limit", "L::abs(value) > limit", "at the limit residue and sign are both right"),
     (KERNEL, "(Int)(value < 0.0)", "(Int)(value > 0.0)"),
-    (KERNEL, "(Int)((Int)exact < 0)", "(Int)((Int)exact <= 0)"),
+    (KERNEL, "(Int)((Int)exact < 0)", "(Int)((Int)exact <= 0)", "of a zero, `negative` is masked out or not used"),
     (KERNEL, "~proved & (Int)(exact == 0)", "(Int)(exact == 0)"),
     (KERNEL, "real.T - tau * real.det, (word.T << tau_shift) - m * word.det", "real.T - tau * real.det, (word.T << tau_shift) + m * word.det"),
     (KERNEL, "real.T - tau * real.det, (word.T << tau_shift) - m * word.det", "real.T + tau * real.det, (word.T << tau_shift) - m * word.det"),
@@ -195,7 +195,7 @@ MUTANTS = [
     (KERNEL, "infinite ? (Int)(tau > 0.0)", "infinite ? (Int)(tau < 0.0)"),
     (KERNEL, "~v.zero & (v.negative ^ det.negative)", "v.negative ^ det.negative"),
     (KERNEL, "~v.zero & (v.negative ^ det.negative)", "~v.zero & v.negative"),
-    (KERNEL, "sign_byte(negative, ~infinite & v.zero, at)", "sign_byte(negative, v.zero, at)"),
+    (KERNEL, "sign_byte(negative, ~infinite & v.zero, at)", "sign_byte(negative, v.zero, at)", "V is infinite there, so proved, and not zero"),
     # Its classes.
     (KERNEL, "return ~w.zero & (w.negative ^ det.negative);", "return w.negative ^ det.negative;"),
     (KERNEL, "return ~w.zero & (w.negative ^ det.negative);", "return ~w.zero & w.negative;"),
