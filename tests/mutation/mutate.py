@@ -56,7 +56,7 @@ class Copy:
 
 def limit_processor_time():
     """Against endless loops; not wall time, which a busy machine stretches."""
-    resource.setrlimit(resource.RLIMIT_CPU, (300, 300))
+    resource.setrlimit(resource.RLIMIT_CPU, (100, 100))
 
 
 def sync(source, target):
