@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 
@@ -15,191 +16,245 @@ namespace {
 using Word = Word128;
 using Vec = std::array<Decoded, 3>;
 
-Vec decode(const Vec3& v) { return {Decoded(v.x), Decoded(v.y), Decoded(v.z)}; }
-
-Decoded negated(Decoded x) {
-  x.negative = !x.negative;
-  return x;
+// With 2^52 <= significand < 2^53, subnormal or not, unless it is zero.
+Decoded normalized(double x) {
+  Decoded decoded(x);
+  if (decoded.significand != 0) {
+    const int up = std::countl_zero(decoded.significand) - 11;
+    decoded.significand <<= up;
+    decoded.exponent -= up;
+  }
+  return decoded;
 }
 
-// The product of up to two significands.
-struct Pair {
-  Word significand = 1;
-  int exponent = 0;
-  int high = 1;  // 2^high is above the product, 2^(high - 2) is not
-  bool negative = false;
+Vec decode(const Vec3& v) { return {normalized(v.x), normalized(v.y), normalized(v.z)}; }
 
-  Pair() = default;
-  Pair(const Decoded& x, const Decoded& y)
-      : significand(static_cast<Word>(x.significand) * y.significand),
-        exponent(x.exponent + y.exponent),
-        high(significand == 0 ? 0 : x.high() + y.high()),
-        negative(x.negative != y.negative) {}
+// +-limbs * 2^exponent: a product of three or four coordinates; least significant limb first.
+struct Term {
+  std::uint64_t limb[4];
+  int exponent;
+  bool negative;
 };
 
-// A sum of products of two pairs, of which only the sign is asked.
-class Sum {
- public:
-  /// Adds x * y, or subtracts it.
-  void add(const Pair& x, const Pair& y, bool subtract) {
-    if (x.significand == 0 || y.significand == 0) return;
-    Term& term = term_[count_];
-    multiply(x.significand, y.significand, term.limb);
-    term.exponent = x.exponent + y.exponent;
-    term.negative = (x.negative != y.negative) != subtract;
-    low_ = std::min(low_, term.exponent);
-    const int high = x.high + y.high;
-    if (high > first_) {
-      second_ = first_;
-      first_ = high;
-      leader_ = count_;
-    } else if (high > second_) {
-      second_ = high;
-    }
-    ++count_;
+Term times(const Term& x, const Decoded& y) {
+  Word carry = 0;
+  Term product{{}, x.exponent + y.exponent, x.negative != y.negative};
+  for (int i = 0; i < 4; ++i) {
+    carry += static_cast<Word>(x.limb[i]) * y.significand;
+    product.limb[i] = static_cast<std::uint64_t>(carry);
+    carry >>= 64;
   }
+  return product;
+}
 
-  int sign() const {
-    if (count_ == 0) return 0;
-    // The other terms, at most 63 of them, sum up to less than 2^(second + 6); the leader is at least 2^(first - 4).
-    if (count_ == 1 || first_ - second_ >= 10) return term_[leader_].negative ? -1 : 1;
-    return compare();
+// The terms of a determinant, all products of that many coordinates; zeros are left out.
+template <int factor_count, int capacity>
+struct Terms {
+  static constexpr int factors = factor_count;
+  Term term[capacity];
+  int count = 0;
+};
+using Triple = Terms<3, 6>;
+
+// One of the six products of a cross product, and the axis it belongs to.
+struct Minor {
+  Word significand;
+  int exponent;
+  bool negative;
+  unsigned char axis;
+};
+
+struct Cross {
+  Minor minor[6];
+  int count = 0;
+
+  Cross(const Vec& p, const Vec& q) {
+    for (unsigned char axis = 0; axis < 3; ++axis) {
+      const std::size_t j = (axis + 1) % 3, k = (axis + 2) % 3;
+      add(p[j], q[k], false, axis);
+      add(p[k], q[j], true, axis);
+    }
   }
 
  private:
-  struct Term {
-    std::uint64_t limb[4];  // at most 4 * 53 bits
-    int exponent;
-    bool negative;
-  };
-  static constexpr int max_terms = 64;
-  static constexpr int max_words = (4096 + 4296 + 64) / 64 + 5;
-
-  static void multiply(Word x, Word y, std::uint64_t* limb) {
-    const auto x0 = static_cast<std::uint64_t>(x), x1 = static_cast<std::uint64_t>(x >> 64);
-    const auto y0 = static_cast<std::uint64_t>(y), y1 = static_cast<std::uint64_t>(y >> 64);
-    const Word low = static_cast<Word>(x0) * y0, high = static_cast<Word>(x1) * y1;
-    // x1, y1 < 2^42: no sum below overflows.
-    const Word middle = static_cast<Word>(x0) * y1 + static_cast<Word>(x1) * y0 + (low >> 64);
-    const Word top = high + (middle >> 64);
-    limb[0] = static_cast<std::uint64_t>(low);
-    limb[1] = static_cast<std::uint64_t>(middle);
-    limb[2] = static_cast<std::uint64_t>(top);
-    limb[3] = static_cast<std::uint64_t>(top >> 64);
+  void add(const Decoded& x, const Decoded& y, bool subtract, unsigned char axis) {
+    if (x.significand == 0 || y.significand == 0) return;
+    minor[count++] = {static_cast<Word>(x.significand) * y.significand, x.exponent + y.exponent,
+                      (x.negative != y.negative) != subtract, axis};
   }
-
-  int compare() const {
-    const int words = (first_ - low_) / 64 + 5;  // a term's four limbs, one more for the shift, and room for carries
-    std::uint64_t positive[max_words], negative[max_words];
-    std::memset(positive, 0, sizeof(std::uint64_t) * static_cast<std::size_t>(words));
-    std::memset(negative, 0, sizeof(std::uint64_t) * static_cast<std::size_t>(words));
-    for (int i = 0; i < count_; ++i) accumulate(term_[i].negative ? negative : positive, term_[i]);
-    for (int k = words - 1; k >= 0; --k)
-      if (positive[k] != negative[k]) return positive[k] > negative[k] ? 1 : -1;
-    return 0;
-  }
-
-  void accumulate(std::uint64_t* word, const Term& p) const {
-    const int at = p.exponent - low_, shift = at % 64;
-    std::uint64_t* to = word + at / 64;
-    std::uint64_t below = 0;
-    unsigned char carry = 0;
-    for (const std::uint64_t limb : p.limb) {
-      carry = add_carry(*to++, shift == 0 ? limb : limb << shift | below, carry);
-      below = shift == 0 ? 0 : limb >> (64 - shift);
-    }
-    // The words past a term's highest bit are there: `words` counts from the highest bit of all terms.
-    for (std::uint64_t rest = below; rest != 0 || carry != 0; rest = 0) carry = add_carry(*to++, rest, carry);
-  }
-
-  static unsigned char add_carry(std::uint64_t& to, std::uint64_t x, unsigned char carry) {
-    const Word t = static_cast<Word>(to) + x + carry;
-    to = static_cast<std::uint64_t>(t);
-    return static_cast<unsigned char>(t >> 64);
-  }
-
-  Term term_[max_terms];
-  int count_ = 0, leader_ = 0;
-  int low_ = 1 << 20, first_ = -(1 << 20), second_ = -(1 << 20);
 };
 
-// A direction, each component times one scale.
-using ScaledVec = std::array<Pair, 3>;
-
-ScaledVec scaled(const Vec& d, const Decoded& scale) { return {Pair(d[0], scale), Pair(d[1], scale), Pair(d[2], scale)}; }
-
-// d . (p x q)
-void add_triple(Sum& sum, const ScaledVec& d, const Vec& p, const Vec& q) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    if (d[i].significand == 0) continue;
-    sum.add(d[i], Pair(p[j], q[k]), false);
-    sum.add(d[i], Pair(p[k], q[j]), true);
+// d . cross
+Triple dot(const Vec& d, const Cross& cross) {
+  Triple terms;
+  for (int i = 0; i < cross.count; ++i) {
+    const Minor& m = cross.minor[i];
+    const Decoded& x = d[m.axis];
+    if (x.significand == 0) continue;
+    const Word low = static_cast<Word>(static_cast<std::uint64_t>(m.significand)) * x.significand;
+    // The minor is below 2^106: no sum below overflows.
+    const Word high = static_cast<Word>(static_cast<std::uint64_t>(m.significand >> 64)) * x.significand + (low >> 64);
+    terms.term[terms.count++] = {{static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(high),
+                                  static_cast<std::uint64_t>(high >> 64)},
+                                 m.exponent + x.exponent,
+                                 m.negative != x.negative};
   }
+  return terms;
 }
 
-// S(d; p, q, r)
-void add_S(Sum& sum, const ScaledVec& d, const Vec& p, const Vec& q, const Vec& r) {
-  add_triple(sum, d, p, q);
-  add_triple(sum, d, q, r);
-  add_triple(sum, d, r, p);
-}
-
-constexpr Decoded one(1.0), minus_one(-1.0);
-
-struct Decider {
-  Vec o, d, a, b, c;
-
-  int sign_S(const Vec& p, const Vec& q, const Vec& r) const {
-    Sum sum;
-    add_S(sum, scaled(d, one), p, q, r);
-    return sum.sign();
+// A sum of terms, of which only the sign is asked. The terms stay where they are.
+class Sum {
+ public:
+  template <class Terms>
+  Sum& add(const Terms& terms) {
+    part_[parts_++] = {terms.term, terms.count, Terms::factors, false};
+    return *this;
+  }
+  template <class Terms>
+  Sum& subtract(const Terms& terms) {
+    part_[parts_++] = {terms.term, terms.count, Terms::factors, true};
+    return *this;
   }
 
-  // sign(T - tau det), tau finite.
-  int sign_V(double tau) const {
-    Sum sum;
-    add_triple(sum, scaled(a, one), b, c);
-    add_S(sum, scaled(o, minus_one), a, b, c);
-    if (!is_zero(tau)) add_S(sum, scaled(d, negated(Decoded(tau))), a, b, c);
-    return sum.sign();
+  int sign() const {
+    constexpr int none = -(1 << 20);
+    int low = -none, first = none, second = none;  // of the lowest bit; above the largest term and the next
+    bool leader_negative = false;
+    for (int i = 0; i < parts_; ++i) {
+      const Part& part = part_[i];
+      for (int k = 0; k < part.count; ++k) {
+        const Term& term = part.term[k];
+        const int high = term.exponent + 53 * part.factors;
+        low = std::min(low, term.exponent);
+        second = std::max(second, std::min(first, high));
+        leader_negative = high > first ? term.negative != part.negated : leader_negative;
+        first = std::max(first, high);
+      }
+    }
+    if (first == none) return 0;
+    // The other terms, at most 41 of them, sum up to less than 2^(second + 6); the leader is at least 2^(first - 4).
+    if (first - second >= 10) return leader_negative ? -1 : 1;
+    return compare(low, first);
+  }
+
+ private:
+  struct Part {
+    const Term* term;
+    int count, factors;
+    bool negated;
+  };
+  // The longest sum is that of t - tau for |tau| < 1: T's terms of three factors reach up to 2^3072, tau * det's down to
+  // 2^-4504. For |tau| >= 1 it is 2^4096 down to 2^-3378.
+  static constexpr int max_cells = (3 * 1024 + 4 * 1126) / 64 + 2;
+
+  // Cell k counts 2^(64 k + low). It takes up to 42 numbers of 64 bits without a carry: below 2^70.
+  int compare(int low, int first) const {
+    const int cells = (first - low) / 64 + 2;
+    Word positive[max_cells], negative[max_cells];
+    std::memset(positive, 0, sizeof(Word) * static_cast<std::size_t>(cells));
+    std::memset(negative, 0, sizeof(Word) * static_cast<std::size_t>(cells));
+    for (int i = 0; i < parts_; ++i) {
+      const Part& part = part_[i];
+      for (int k = 0; k < part.count; ++k) {
+        const Term& term = part.term[k];
+        const auto at = static_cast<unsigned>(term.exponent - low), shift = at % 64;
+        Word* to = (term.negative != part.negated ? negative : positive) + at / 64;
+        to[0] += term.limb[0] << shift;
+        to[1] += term.limb[0] >> 1 >> (63 - shift) | term.limb[1] << shift;
+        to[2] += term.limb[1] >> 1 >> (63 - shift) | term.limb[2] << shift;
+        to[3] += term.limb[2] >> 1 >> (63 - shift) | term.limb[3] << shift;
+        if (part.factors == 4) to[4] += term.limb[3] >> 1 >> (63 - shift);
+      }
+    }
+    // From the top: all cells below one, in its units, are less than 2^70 / 2^64 * (1 + 2^-63) < 65.
+    Int128 sum = 0;
+    for (int k = cells - 1; k >= 0; --k) {
+      sum = sum * (Int128{1} << 64) + static_cast<Int128>(positive[k] - negative[k]);
+      if (sum > 65 || sum < -65) break;
+    }
+    return (sum > 0) - (sum < 0);
+  }
+
+  Part part_[5];
+  int parts_ = 0;
+};
+
+class Decider {
+ public:
+  Decider(const Triangle& triangle, const Ray& ray)
+      : o_(decode(ray.origin)),
+        d_(decode(ray.direction)),
+        a_(decode(triangle.a)),
+        b_(decode(triangle.b)),
+        c_(decode(triangle.c)),
+        a_x_b_(a_, b_),
+        b_x_c_(b_, c_),
+        c_x_a_(c_, a_),
+        d_ab_(dot(d_, a_x_b_)),
+        d_bc_(dot(d_, b_x_c_)),
+        d_ca_(dot(d_, c_x_a_)) {}
+
+  int det() const { return Sum().add(d_ab_).add(d_bc_).add(d_ca_).sign(); }
+
+  void place_hit(Truth& truth, int det) const {
+    const Triple d_oa = dot(d_, {o_, a_}), d_ob = dot(d_, {o_, b_}), d_oc = dot(d_, {o_, c_});
+    place(truth, Sum().add(d_ab_).add(d_oa).subtract(d_ob).sign() * det,
+          Sum().add(d_bc_).add(d_ob).subtract(d_oc).sign() * det, Sum().add(d_ca_).add(d_oc).subtract(d_oa).sign() * det);
+  }
+
+  /// T, for `versus` and `coplanar`.
+  struct Height {
+    Triple a_bc, o_ab, o_bc, o_ca;
+    Sum sum() const { return Sum().add(a_bc).subtract(o_ab).subtract(o_bc).subtract(o_ca); }
+  };
+  Height height() const { return {dot(a_, b_x_c_), dot(o_, a_x_b_), dot(o_, b_x_c_), dot(o_, c_x_a_)}; }
+
+  /// Of t - tau.
+  signed char versus(double tau, const Height& height, int det) const {
+    if (!is_finite(tau)) return is_negative(tau) ? 1 : -1;
+    Terms<4, 18> tau_det;
+    const Decoded factor = normalized(tau);
+    if (!is_zero(tau))
+      for (const Triple* terms : {&d_ab_, &d_bc_, &d_ca_})
+        for (int i = 0; i < terms->count; ++i) tau_det.term[tau_det.count++] = times(terms->term[i], factor);
+    return static_cast<signed char>(height.sum().subtract(tau_det).sign() * det);
   }
 
   // Whether (b-a) x (c-a) = a x b + b x c + c x a is zero: asked along each axis.
   bool flat() const {
     for (std::size_t i = 0; i < 3; ++i) {
-      ScaledVec axis{};
-      for (std::size_t k = 0; k < 3; ++k) axis[k].significand = k == i ? 1 : 0;
-      Sum sum;
-      add_S(sum, axis, a, b, c);
-      if (sum.sign() != 0) return false;
+      Vec axis;
+      axis[i] = normalized(1.0);
+      const Triple ab = dot(axis, a_x_b_), bc = dot(axis, b_x_c_), ca = dot(axis, c_x_a_);
+      if (Sum().add(ab).add(bc).add(ca).sign() != 0) return false;
     }
     return true;
   }
 
-  signed char versus(double tau, int det) const {
-    if (!is_finite(tau)) return is_negative(tau) ? 1 : -1;
-    return static_cast<signed char>(sign_V(tau) * det);
-  }
+ private:
+  Vec o_, d_, a_, b_, c_;
+  Cross a_x_b_, b_x_c_, c_x_a_;
+  Triple d_ab_, d_bc_, d_ca_;
 };
 
 }  // namespace
 
 Truth classify_accumulate(const Triangle& triangle, const Ray& ray) {
-  const Decider x{decode(ray.origin), decode(ray.direction), decode(triangle.a), decode(triangle.b), decode(triangle.c)};
+  const Decider decider(triangle, ray);
   Truth truth;
-  const int det = x.sign_S(x.a, x.b, x.c);
+  const int det = decider.det();
   truth.det_sign = static_cast<signed char>(det);
   if (det == 0) {
-    truth.hit_class = x.flat()            ? HitClass::degenerate
-                      : x.sign_V(0) == 0 ? HitClass::coplanar
-                                         : HitClass::parallel;
+    truth.hit_class = decider.flat()                       ? HitClass::degenerate
+                      : decider.height().sum().sign() == 0 ? HitClass::coplanar
+                                                           : HitClass::parallel;
     return truth;
   }
-  place(truth, x.sign_S(x.a, x.b, x.o) * det, x.sign_S(x.b, x.c, x.o) * det, x.sign_S(x.c, x.a, x.o) * det);
+  decider.place_hit(truth, det);
   if (truth.hit_class == HitClass::exterior) return truth;
-  truth.versus_t_min = x.versus(ray.t_min, det);
-  truth.versus_t_max = x.versus(ray.t_max, det);
+  const Decider::Height height = decider.height();
+  truth.versus_t_min = decider.versus(ray.t_min, height, det);
+  truth.versus_t_max = decider.versus(ray.t_max, height, det);
   return truth;
 }
 

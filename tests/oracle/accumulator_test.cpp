@@ -55,6 +55,21 @@ TEST(Accumulator, ExtremeNumbersInEveryPlace) {
   }
 }
 
+// T's terms reach up to 2^3072, tau * det's down to 2^-4504, and T cancels: a ray from a vertex, t - tau = -tau.
+TEST(Accumulator, TheLongestSum) {
+  const double m = largest, s = least;
+  for (const double tau : {s, -s, 2 * s, normal, 1.0, -m})
+    for (const Vec3 direction : {Vec3{s, s, s}, Vec3{m, m, m}, Vec3{m, s, s}, Vec3{-s, m, s}}) {
+      const Triangle triangle{{m, s, s}, {s, m, s}, {s, s, m}};
+      for (const Vec3 origin : {triangle.a, triangle.b, triangle.c}) {
+        Shot shot{triangle, {origin, direction}};
+        shot.ray.t_min = tau;
+        shot.ray.t_max = -tau;
+        ASSERT_NO_FATAL_FAILURE(expect_right(shot));
+      }
+    }
+}
+
 // Windows of ones end to end: a unit at the bottom carries through all of them.
 TEST(Accumulator, LongCarries) {
   Random random(judges::seed() + 1);
