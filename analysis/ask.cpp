@@ -13,20 +13,27 @@ Case put_at(Case asked, Precision precision) {
   return asked;
 }
 
-Answer ask(const Tracer& tracer, const Case& asked) {
+Reply ask(const Tracer& tracer, const Case& asked) {
   const Case put = put_at(asked, tracer.info().contract.precision);
-  Answer answer;
-  tracer.prepare(put.bag)->trace({&put.ray, 1}, {&answer, 1});
-  return answer;
+  const auto bag = tracer.prepare(put.bag);
+  Reply reply;
+  bag->trace({&put.ray, 1}, {&reply.answer, 1});
+  reply.query = bag->asked(put.ray);
+  reply.disturbed = bag->disturbed();
+  return reply;
 }
 
 Judgement judge(const Case& asked, const Answer& answer, const Contract& contract) {
+  return judge(asked, Reply{.query = at_precision(asked.ray, contract.precision), .answer = answer}, contract);
+}
+
+Judgement judge(const Case& asked, const Reply& reply, const Contract& contract) {
   const Triangle triangle = at_precision(asked.bag.triangles.front(), contract.precision);
-  const Ray ray = at_precision(asked.ray, contract.precision);
-  const Ray searched = searched_ray(ray, contract);
+  const auto& [query, answer, disturbed] = reply;
+  const Query searched = searched_ray(query, contract);
   Judgement judgement{.truth = classify(triangle, searched), .hit = {}, .severity = {}};
   judgement.hit = hit(triangle, searched, judgement.truth);
-  judgement.verdict = judge(triangle, ray, judgement.truth, answer, contract);
+  judgement.verdict = judge(triangle, query, judgement.truth, answer, contract);
   if (wrong(judgement.verdict))
     judgement.severity = severity(triangle, searched, answer.outcome == Outcome::hit, contract.precision);
   return judgement;

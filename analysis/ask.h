@@ -15,11 +15,17 @@ namespace plumbline {
 /// The case as it is really put to a tracer of that precision: rounded.
 Case put_at(Case asked, Precision precision);
 
+struct Reply {
+  Query query;  ///< what the tracer was really asked
+  Answer answer;
+  bool disturbed = false;  ///< it left the floating-point controls changed (they are as before again)
+};
+
 /// What the tracer says of the case, put at its precision.
-Answer ask(const Tracer& tracer, const Case& asked);
+Reply ask(const Tracer& tracer, const Case& asked);
 
 struct Judgement {
-  Truth truth;  ///< of the ray that the contract says is searched, at its precision
+  Truth truth;  ///< of the query, in the range that the contract says is searched
   std::optional<bool> hit;  ///< the same, as contact.h says
   VerdictKind verdict = VerdictKind::correct;
   std::optional<Severity> severity;  ///< where the answer is wrong
@@ -29,7 +35,10 @@ constexpr bool wrong(VerdictKind verdict) {
   return verdict == VerdictKind::false_miss || verdict == VerdictKind::false_hit;
 }
 
-/// The bag holds exactly one triangle.
+/// The answer to the ray of the case, put at the contract's precision. The bag holds exactly one triangle.
 Judgement judge(const Case& asked, const Answer& answer, const Contract& contract);
+
+/// The same of the query that the tracer was really asked.
+Judgement judge(const Case& asked, const Reply& reply, const Contract& contract);
 
 }  // namespace plumbline

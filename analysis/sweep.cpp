@@ -104,7 +104,7 @@ class Worker {
       const Bag bag = at_precision(bag_, precision);
       for (std::size_t i = 0; i < rays_.size(); ++i) {
         asked_[i] = at_precision(rays_[i], precision);
-        searched_[i] = searched_ray(asked_[i], audience.contract);
+        searched_[i] = searched_ray(asked_[i], audience.contract).ray;
       }
       classify(bag.triangles[0], searched_, truths_);
       for (const std::size_t tracer : audience.tracers) shoot_with(tracer, bag, lattice);
@@ -112,15 +112,18 @@ class Worker {
   }
 
   void shoot_with(std::size_t tracer, const Bag& bag, std::size_t lattice) {
-    const Contract& contract = plan_.tracers[tracer]->info().contract;
-    plan_.tracers[tracer]->prepare(bag)->trace(asked_, answers_);
+    const TracerInfo& info = plan_.tracers[tracer]->info();
+    const auto prepared = plan_.tracers[tracer]->prepare(bag);
+    prepared->trace(asked_, answers_);
     const std::size_t rows = layout_.rows_per_lattice();
     const auto tallies = std::span(tallies_).subspan((tracer * plan_.lattices.size() + lattice) * rows, rows);
     const Triangle& triangle = bag.triangles[0];
-    for (std::size_t i = 0; i < asked_.size(); ++i)
-      count(tallies[layout_.row_of_shot[i]], layout_.shots[i].wish,
-            right_answer(triangle, asked_[i], truths_[i], contract), answers_[i].outcome,
-            judge(triangle, asked_[i], truths_[i], answers_[i], contract));
+    for (std::size_t i = 0; i < asked_.size(); ++i) {
+      const Query query = info.own_queries ? prepared->asked(asked_[i]) : asked_[i];
+      const Truth truth = info.own_queries ? classify(triangle, searched_ray(query, info.contract)) : truths_[i];
+      count(tallies[layout_.row_of_shot[i]], layout_.shots[i].wish, right_answer(triangle, query, truth, info.contract),
+            answers_[i].outcome, judge(triangle, query, truth, answers_[i], info.contract));
+    }
   }
 
   const SweepPlan& plan_;

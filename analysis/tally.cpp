@@ -19,13 +19,13 @@ Tally& operator+=(Tally& sum, const Tally& more) {
   return sum;
 }
 
-std::optional<bool> right_answer(const Triangle& triangle, const Ray& ray, const Truth& truth, const Contract& contract) {
-  switch (duty(triangle, ray, truth, contract)) {
+std::optional<bool> right_answer(const Triangle& triangle, const Query& query, const Truth& truth, const Contract& contract) {
+  switch (duty(triangle, query, truth, contract)) {
     case Duty::hit: return true;
     case Duty::miss: return false;
     case Duty::any: break;
   }
-  return hit(triangle, searched_ray(ray, contract), truth);
+  return hit(triangle, searched_ray(query, contract), truth);
 }
 
 void count(Tally& tally, Wish wish, std::optional<bool> right_answer, Outcome outcome, VerdictKind verdict) {

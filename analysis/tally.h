@@ -11,6 +11,7 @@
 #include "case/answer.h"
 #include "case/case.h"
 #include "case/contract.h"
+#include "case/query.h"
 #include "case/verdict.h"
 #include "oracle/truth.h"
 
@@ -37,7 +38,7 @@ Tally& operator+=(Tally& sum, const Tally& more);
 
 /// Whether a right answer is a hit: what the contract asks, or, where that is silent, the closed triangle's truth. No
 /// value where that is open too. The arguments as for judge() in oracle/judge.h.
-std::optional<bool> right_answer(const Triangle& triangle, const Ray& ray, const Truth& truth, const Contract& contract);
+std::optional<bool> right_answer(const Triangle& triangle, const Query& query, const Truth& truth, const Contract& contract);
 
 /// Adds one ray. `wish` is not Wish::none.
 void count(Tally& tally, Wish wish, std::optional<bool> right_answer, Outcome outcome, VerdictKind verdict);

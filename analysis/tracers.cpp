@@ -15,11 +15,11 @@ class PreparedExact final : public PreparedBag {
  public:
   explicit PreparedExact(const Bag& bag) : triangles_(bag.triangles) {}
 
-  void trace(std::span<const Ray> rays, std::span<Answer> answers) override {
+ private:
+  void answer(std::span<const Ray> rays, std::span<Answer> answers) override {
     for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = nearest(rays[i]);
   }
 
- private:
   // Of two hits at the same t, rounded, the first triangle's. There is no answer to an invalid question.
   Answer nearest(const Ray& ray) const {
     Answer best;

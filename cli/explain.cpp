@@ -68,7 +68,9 @@ std::string text_of(const Case& asked, const Tracer* tracer) {
     throw InputError(
         fmt::format("case '{}' has {} triangles; a verdict is on one", asked.id, put.bag.triangles.size()));
   text += fmt::format("\ntracer     {}\n", tracer->info().name);
-  return text + explain_verdict(put.bag.triangles.front(), put.ray, ask(*tracer, put), tracer->info().contract);
+  const Reply reply = ask(*tracer, put);
+  if (tracer->info().own_queries) text += "\nThe tracer is asked this instead:\n" + explain(put.bag.triangles.front(), reply.query);
+  return text + explain_verdict(put.bag.triangles.front(), reply.query, reply.answer, tracer->info().contract);
 }
 
 void run(const Options& options) {

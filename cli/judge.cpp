@@ -17,18 +17,22 @@ struct Options {
   std::string tracer;
 };
 
-// What answers are judged by: --tracer's contract, else that of the tracer which the line names, else the default one.
-class Contracts {
+// By what --tracer promises and is really asked, else the tracer which the line names; else by the default contract.
+class Judge {
  public:
-  explicit Contracts(const Tracer* chosen) : chosen_(chosen) {}
+  explicit Judge(const Tracer* chosen) : chosen_(chosen) {}
 
-  Contract of(const CaseLine& line) {
+  Judgement judge(const CaseLine& line) {
     const Tracer* const tracer = chosen_ ? chosen_ : tracer_named(line.tracer);
-    if (tracer) return tracer->info().contract;
+    if (tracer) {
+      const Case put = put_at(line.asked, tracer->info().contract.precision);
+      const Query query = tracer->info().own_queries ? tracer->prepare(put.bag)->asked(put.ray) : Query(put.ray);
+      return plumbline::judge(put, {.query = query, .answer = *line.answer}, tracer->info().contract);
+    }
     if (!line.tracer.empty() && warned_of_.insert(line.tracer).second)
       fmt::print(stderr, "warning: '{}' is no tracer of this build: judged by the default contract; {}\n", line.tracer,
                  suggest_tracer(line.tracer));
-    return {.precision = line.asked.precision};
+    return plumbline::judge(line.asked, *line.answer, Contract{.precision = line.asked.precision});
   }
 
  private:
@@ -64,13 +68,13 @@ void write(const CaseLine& line, const Judgement& judgement, std::string& out) {
 }
 
 bool run(const Options& options) {
-  Contracts contracts(options.tracer.empty() ? nullptr : &find_tracer(options.tracer));
+  Judge judge(options.tracer.empty() ? nullptr : &find_tracer(options.tracer));
   std::array<std::size_t, verdict_kind_names.size()> count{};
   const auto lines_read =
       answer_lines(options.stream, [&](const CaseLines& lines, const CaseLine& line, std::string& out) {
         require_one_triangle(lines, line);
         if (!line.answer) lines.fail("no answer to judge; add \"hit\":true, false, or null for a fault");
-        const Judgement judgement = judge(line.asked, *line.answer, contracts.of(line));
+        const Judgement judgement = judge.judge(line);
         ++count[static_cast<unsigned>(judgement.verdict)];
         write(line, judgement, out);
       });

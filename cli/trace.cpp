@@ -39,7 +39,7 @@ void add_trace(CLI::App& app) {
       object.member("id") += line.id;
       if (options->merged) add_members(object, line.asked);
       object.text("tracer", tracer.info().name);
-      add_members(object, ask(tracer, line.asked));
+      add_members(object, ask(tracer, line.asked).answer);
       object.end_line();
     });
   });

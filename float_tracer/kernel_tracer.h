@@ -28,11 +28,11 @@ class PreparedKernelBag final : public PreparedBag {
       triangles_.emplace_back(KernelTriangle<Real>{to_vec<Real>(t.a), to_vec<Real>(t.b), to_vec<Real>(t.c)});
   }
 
-  void trace(std::span<const Ray> rays, std::span<Answer> answers) override {
+ private:
+  void answer(std::span<const Ray> rays, std::span<Answer> answers) override {
     for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = nearest(rays[i]);
   }
 
- private:
   Answer nearest(const Ray& r) const {
     const typename Kernel::PreparedRay ray(KernelRay<Real>{to_vec<Real>(r.origin), to_vec<Real>(r.direction),
                                                            static_cast<Real>(r.t_min), static_cast<Real>(r.t_max)});

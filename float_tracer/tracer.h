@@ -7,6 +7,7 @@
 #include "case/answer.h"
 #include "case/case.h"
 #include "case/contract.h"
+#include "case/query.h"
 
 namespace plumbline {
 
@@ -14,16 +15,38 @@ namespace plumbline {
 class PreparedBag {
  public:
   virtual ~PreparedBag() = default;
+
   /// answers[i] is what the tracer says of rays[i]; both spans have the same size. Never throws: what the tracer can't
-  /// take is Outcome::fault.
-  virtual void trace(std::span<const Ray> rays, std::span<Answer> answers) = 0;
+  /// take is Outcome::fault. The floating-point controls are afterwards as before.
+  void trace(std::span<const Ray> rays, std::span<Answer> answers);
+
+  /// What the tracer is really asked for this ray, which its interface may not hold; t of the answer counts in it. The
+  /// ray itself unless TracerInfo::own_queries.
+  virtual Query asked(const Ray& ray) { return ray; }
+
+  /// Whether a call of trace, up to now, left the floating-point controls changed.
+  bool disturbed() const { return disturbed_; }
+
+ private:
+  virtual void answer(std::span<const Ray> rays, std::span<Answer> answers) = 0;
+
+  bool disturbed_ = false;
+};
+
+/// Where the code under test runs.
+enum class Isolation : unsigned char {
+  none,     ///< in this process
+  process,  ///< in a child: it may abort, hang or print
 };
 
 struct TracerInfo {
-  std::string name;     ///< as on the command line
-  std::string summary;  ///< one sentence
-  std::string source;   ///< paper and section, or package and version
+  std::string name;         ///< as on the command line
+  std::string summary;      ///< one sentence
+  std::string source;       ///< paper and section, or the function that is called
+  std::string package = ""; ///< that it comes from, with its version; empty: written here
   Contract contract;
+  bool own_queries = false; ///< asks something else than the ray given: see PreparedBag::asked
+  Isolation isolation = Isolation::none;
 };
 
 class Tracer {

@@ -1,5 +1,6 @@
 #include "float_tracer/tracer_list.h"
 
+#include "float_tracer/adapters/adapter_list.h"
 #include "float_tracer/baldwin_weber.h"
 #include "float_tracer/brlcad/bot_classic.h"
 #include "float_tracer/brlcad/bot_hlbvh.h"
@@ -7,9 +8,6 @@
 #include "float_tracer/moller_trumbore.h"
 #include "float_tracer/plucker.h"
 #include "float_tracer/woop_watertight.h"
-#ifdef PLUMBLINE_EMBREE
-#include "float_tracer/embree.h"
-#endif
 
 namespace plumbline {
 namespace {
@@ -33,10 +31,9 @@ List float_tracers() {
   list.push_back(brlcad_bot_classic());
   list.push_back(brlcad_bot_classic_kernel());
   list.push_back(brlcad_bot_hlbvh());
-#ifdef PLUMBLINE_EMBREE
-  list.push_back(embree_default());
-  list.push_back(embree_robust());
-#endif
+  for (const Adapter& adapter : adapters())
+    if (adapter.make)
+      for (auto& tracer : adapter.make()) list.push_back(std::move(tracer));
   return list;
 }
 

@@ -54,7 +54,7 @@ struct Terms {
   Term term[capacity];
   int count = 0;
 };
-using Triple = Terms<3, 6>;
+using Triple = Terms<3, 12>;
 
 // One of the six products of a cross product, and the axis it belongs to.
 struct Minor {
@@ -84,9 +84,8 @@ struct Cross {
   }
 };
 
-// d . cross
-Triple dot(const Vec& d, const Cross& cross) {
-  Triple terms;
+// Adds d . cross.
+void add_dot(Triple& terms, const Vec& d, const Cross& cross) {
   for (int i = 0; i < cross.count; ++i) {
     const Minor& m = cross.minor[i];
     const Decoded& x = d[m.axis];
@@ -99,6 +98,11 @@ Triple dot(const Vec& d, const Cross& cross) {
                                  m.exponent + x.exponent,
                                  m.negative != x.negative};
   }
+}
+
+Triple dot(const Vec& d, const Cross& cross) {
+  Triple terms;
+  add_dot(terms, d, cross);
   return terms;
 }
 
@@ -132,7 +136,7 @@ class Sum {
       }
     }
     if (first == none) return 0;
-    // The other terms, at most 41 of them, sum up to less than 2^(second + 6); the leader is at least 2^(first - 4).
+    // The other terms, at most 59 of them, sum up to less than 2^(second + 6); the leader is at least 2^(first - 4).
     if (first - second >= 10) return leader_negative ? -1 : 1;
     return compare(low, first);
   }
@@ -147,7 +151,7 @@ class Sum {
   // 2^-4504. For |tau| >= 1 it is 2^4096 down to 2^-3378.
   static constexpr int max_cells = (3 * 1024 + 4 * 1126) / 64 + 2;
 
-  // Cell k counts 2^(64 k + low). It takes up to 42 numbers of 64 bits without a carry: below 2^70.
+  // Cell k counts 2^(64 k + low). It takes up to 60 numbers of 64 bits without a carry: below 2^70.
   int compare(int low, int first) const {
     const int cells = (first - low) / 64 + 2;
     Word positive[max_cells], negative[max_cells];
@@ -181,23 +185,25 @@ class Sum {
 
 class Decider {
  public:
-  Decider(const Triangle& triangle, const Ray& ray)
-      : o_(decode(ray.origin)),
-        d_(decode(ray.direction)),
+  Decider(const Triangle& triangle, const Query& query)
+      : o_(decode(query.ray.origin)),
+        d_(decode(query.ray.direction)),
+        d_tail_(decode(query.direction_tail)),
+        has_tail_(query.has_tail()),
         a_(decode(triangle.a)),
         b_(decode(triangle.b)),
         c_(decode(triangle.c)),
         a_x_b_(a_, b_),
         b_x_c_(b_, c_),
         c_x_a_(c_, a_),
-        d_ab_(dot(d_, a_x_b_)),
-        d_bc_(dot(d_, b_x_c_)),
-        d_ca_(dot(d_, c_x_a_)) {}
+        d_ab_(along(a_x_b_)),
+        d_bc_(along(b_x_c_)),
+        d_ca_(along(c_x_a_)) {}
 
   int det() const { return Sum().add(d_ab_).add(d_bc_).add(d_ca_).sign(); }
 
   void place_hit(Truth& truth, int det) const {
-    const Triple d_oa = dot(d_, {o_, a_}), d_ob = dot(d_, {o_, b_}), d_oc = dot(d_, {o_, c_});
+    const Triple d_oa = along({o_, a_}), d_ob = along({o_, b_}), d_oc = along({o_, c_});
     place(truth, Sum().add(d_ab_).add(d_oa).subtract(d_ob).sign() * det,
           Sum().add(d_bc_).add(d_ob).subtract(d_oc).sign() * det, Sum().add(d_ca_).add(d_oc).subtract(d_oa).sign() * det);
   }
@@ -212,7 +218,7 @@ class Decider {
   /// Of t - tau.
   signed char versus(double tau, const Height& height, int det) const {
     if (!is_finite(tau)) return is_negative(tau) ? 1 : -1;
-    Terms<4, 18> tau_det;
+    Terms<4, 36> tau_det;
     const Decoded factor = normalized(tau);
     if (!is_zero(tau))
       for (const Triple* terms : {&d_ab_, &d_bc_, &d_ca_})
@@ -232,15 +238,25 @@ class Decider {
   }
 
  private:
-  Vec o_, d_, a_, b_, c_;
+  // The direction . cross.
+  Triple along(const Cross& cross) const {
+    Triple terms = dot(d_, cross);
+    if (has_tail_) add_dot(terms, d_tail_, cross);
+    return terms;
+  }
+
+  Vec o_, d_, d_tail_;
+  bool has_tail_;
+  Vec a_, b_, c_;
   Cross a_x_b_, b_x_c_, c_x_a_;
   Triple d_ab_, d_bc_, d_ca_;
 };
 
 }  // namespace
 
-Truth classify_accumulate(const Triangle& triangle, const Ray& ray) {
-  const Decider decider(triangle, ray);
+Truth classify_accumulate(const Triangle& triangle, const Query& query) {
+  const Decider decider(triangle, query);
+  const Ray& ray = query.ray;
   Truth truth;
   const int det = decider.det();
   truth.det_sign = static_cast<signed char>(det);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <bit>
 
+#include "oracle/accumulator.h"
 #include "oracle/batch.h"
 #include "oracle/batch_kernel.h"
+#include "oracle/invalid.h"
 
 namespace plumbline {
 namespace {
@@ -24,6 +26,12 @@ Truth classify(const Triangle& triangle, const Ray& ray) {
   if (Filter::filter(one, truth)) return std::bit_cast<Truth>(truth);
   StageCounts counts;
   return classify_scalar(triangle, ray, std::bit_cast<KnownSigns>(Filter::known_signs(one)), counts);
+}
+
+Truth classify(const Triangle& triangle, const Query& query) {
+  if (!query.has_tail()) return classify(triangle, query.ray);
+  const Invalid reason = why_invalid(triangle, query.ray);
+  return reason == Invalid::none ? classify_accumulate(triangle, query) : Truth{.invalid = reason};
 }
 
 void classify(const Triangle& triangle, std::span<const Ray> rays, std::span<Truth> truths) {

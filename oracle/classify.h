@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <span>
 
-#include "case/geometry.h"
+#include "case/query.h"
 #include "oracle/truth.h"
 
 namespace plumbline {
@@ -26,6 +26,9 @@ struct TriangleColumns {
 };
 
 Truth classify(const Triangle& triangle, const Ray& ray);
+
+/// Of a query with a tail, the last stage's answer: about a microsecond.
+Truth classify(const Triangle& triangle, const Query& query);
 
 /// One triangle against many rays. truths.size() == rays.size().
 void classify(const Triangle& triangle, std::span<const Ray> rays, std::span<Truth> truths);

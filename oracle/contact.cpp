@@ -4,11 +4,11 @@
 
 namespace plumbline {
 
-bool touches(const Triangle& triangle, const Ray& ray) {
-  return exact::contact_in_range(exact::ExactCase(triangle, ray), ray).has_value();
+bool touches(const Triangle& triangle, const Query& query) {
+  return exact::contact_in_range(exact::ExactCase(triangle, query), query.ray).has_value();
 }
 
-std::optional<bool> hit(const Triangle& triangle, const Ray& ray, const Truth& truth) {
+std::optional<bool> hit(const Triangle& triangle, const Query& query, const Truth& truth) {
   switch (truth.hit_class) {
     case HitClass::interior:
     case HitClass::edge:
@@ -16,7 +16,7 @@ std::optional<bool> hit(const Triangle& triangle, const Ray& ray, const Truth& t
     case HitClass::exterior:
     case HitClass::parallel: return false;
     case HitClass::coplanar:
-    case HitClass::degenerate: return touches(triangle, ray) ? std::nullopt : std::optional(false);
+    case HitClass::degenerate: return touches(triangle, query) ? std::nullopt : std::optional(false);
     case HitClass::invalid: break;
   }
   return std::nullopt;

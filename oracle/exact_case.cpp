@@ -63,9 +63,9 @@ std::optional<Interval> degenerate_contact(const ExactCase& x) {
 
 }  // namespace
 
-ExactCase::ExactCase(const Triangle& triangle, const Ray& ray)
-    : origin(to_exact(ray.origin)),
-      direction(to_exact(ray.direction)),
+ExactCase::ExactCase(const Triangle& triangle, const Query& query)
+    : origin(to_exact(query.ray.origin)),
+      direction(to_exact(query.ray.direction) + to_exact(query.direction_tail)),
       a(to_exact(triangle.a)),
       b(to_exact(triangle.b)),
       c(to_exact(triangle.c)),

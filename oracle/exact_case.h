@@ -2,7 +2,7 @@
 #pragma once
 #include <optional>
 
-#include "case/geometry.h"
+#include "case/query.h"
 #include "oracle/dyadic.h"
 
 namespace plumbline::exact {
@@ -11,7 +11,7 @@ namespace plumbline::exact {
 /// u = w_CA/det, v = w_AB/det.
 struct ExactCase {
   /// The case is not invalid.
-  ExactCase(const Triangle& triangle, const Ray& ray);
+  ExactCase(const Triangle& triangle, const Query& query);
 
   Vec origin, direction, a, b, c;
   Vec e1, e2, normal;  ///< B-A, C-A, e1 x e2

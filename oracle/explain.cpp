@@ -103,20 +103,22 @@ std::string condition_words(const Condition& c) {
 
 }  // namespace
 
-std::string explain(const Triangle& triangle, const Ray& ray) {
+std::string explain(const Triangle& triangle, const Query& query) {
+  const Ray& ray = query.ray;
   Lines lines;
   lines.add("a", "{}", point(triangle.a));
   lines.add("b", "{}", point(triangle.b));
   lines.add("c", "{}", point(triangle.c));
   lines.add("origin", "{}", point(ray.origin));
   lines.add("direction", "{}", point(ray.direction));
+  if (query.has_tail()) lines.add("", "+ {}", point(query.direction_tail));
   lines.add("range", "{:a} {:a}   ({}, {})", ray.t_min, ray.t_max, ray.t_min, ray.t_max);
-  const Truth truth = classify(triangle, ray);
+  const Truth truth = classify(triangle, query);
   if (truth.hit_class == HitClass::invalid) {
     lines.add("class", "invalid: {}", reason(truth.invalid));
     return lines.take();
   }
-  const ExactCase x(triangle, ray);
+  const ExactCase x(triangle, query);
   lines.add("det", "{}", dyadic(x.det));
   lines.add("T", "{}", dyadic(x.T));
   if (x.det.sign() != 0) {
@@ -133,25 +135,25 @@ std::string explain(const Triangle& triangle, const Ray& ray) {
   } else if (truth.hit_class != HitClass::parallel) {
     add_contact(lines, x, ray);
   }
-  const auto is_hit = hit(triangle, ray, truth);
+  const auto is_hit = hit(triangle, query, truth);
   lines.add("hit", "{}", !is_hit ? "open: contact without a crossing" : *is_hit ? "yes" : "no");
   return lines.take();
 }
 
-std::string explain_verdict(const Triangle& triangle, const Ray& ray, const Answer& answer, const Contract& contract) {
+std::string explain_verdict(const Triangle& triangle, const Query& query, const Answer& answer, const Contract& contract) {
   Lines lines;
-  const Ray searched = searched_ray(ray, contract);
+  const Query searched = searched_ray(query, contract);
   const Truth truth = classify(triangle, searched);
   constexpr std::string_view duties[] = {"must hit", "must miss", "may do either"};
   lines.add("contract", "{} inputs, edges {}, t range {} ({} at its start, {} at its end)", name(contract.precision),
             name(contract.edges), name(contract.range), name(contract.t_min), name(contract.t_max));
-  lines.add("asks", "{}", duties[static_cast<unsigned>(duty(triangle, ray, truth, contract))]);
+  lines.add("asks", "{}", duties[static_cast<unsigned>(duty(triangle, query, truth, contract))]);
   constexpr std::string_view outcomes[] = {"miss", "hit", "fault"};
   lines.add("answer", "{}", outcomes[static_cast<unsigned>(answer.outcome)]);
   if (answer.has_t) lines.add("", "t {}", number(answer.t));
   if (answer.has_uv) lines.add("", "u {}   v {}", number(answer.u), number(answer.v));
   if (answer.has_segment) lines.add("", "in {}   out {}", number(answer.in), number(answer.out));
-  const VerdictKind verdict = judge(triangle, ray, truth, answer, contract);
+  const VerdictKind verdict = judge(triangle, query, truth, answer, contract);
   lines.add("verdict", "{}", name(verdict));
   if (verdict == VerdictKind::false_hit || verdict == VerdictKind::false_miss) {
     if (const auto s = severity(triangle, searched, answer.outcome == Outcome::hit, contract.precision)) {

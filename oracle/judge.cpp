@@ -50,17 +50,17 @@ bool culled(const Truth& truth, const Contract& contract) {
 
 }  // namespace
 
-Ray searched_ray(const Ray& ray, const Contract& contract) {
+Query searched_ray(const Query& query, const Contract& contract) {
   constexpr double inf = std::numeric_limits<double>::infinity();
-  Ray r = ray;
+  Query r = query;
   if (contract.range == RangeRule::given) return r;
-  r.t_min = contract.range == RangeRule::line ? -inf : 0;
-  r.t_max = inf;
+  r.ray.t_min = contract.range == RangeRule::line ? -inf : 0;
+  r.ray.t_max = inf;
   return r;
 }
 
-Duty duty(const Triangle& triangle, const Ray& ray, const Truth& truth, const Contract& contract) {
-  const auto touched = [&](Duty rule) { return touches(triangle, searched_ray(ray, contract)) ? rule : Duty::miss; };
+Duty duty(const Triangle& triangle, const Query& query, const Truth& truth, const Contract& contract) {
+  const auto touched = [&](Duty rule) { return touches(triangle, searched_ray(query, contract)) ? rule : Duty::miss; };
   switch (truth.hit_class) {
     case HitClass::invalid: return Duty::any;
     case HitClass::exterior:
@@ -78,11 +78,11 @@ Duty duty(const Triangle& triangle, const Ray& ray, const Truth& truth, const Co
   return r;
 }
 
-VerdictKind judge(const Triangle& triangle, const Ray& ray, const Truth& truth, const Answer& answer,
+VerdictKind judge(const Triangle& triangle, const Query& query, const Truth& truth, const Answer& answer,
                   const Contract& contract) {
   if (answer.outcome == Outcome::fault) return VerdictKind::fault;
   const bool answered_hit = answer.outcome == Outcome::hit;
-  switch (duty(triangle, ray, truth, contract)) {
+  switch (duty(triangle, query, truth, contract)) {
     case Duty::any: return VerdictKind::unspecified;
     case Duty::hit: return answered_hit ? VerdictKind::correct : VerdictKind::false_miss;
     case Duty::miss: break;
@@ -90,7 +90,7 @@ VerdictKind judge(const Triangle& triangle, const Ray& ray, const Truth& truth, 
   if (!answered_hit) return VerdictKind::correct;
   const bool has_slack = !is_zero(contract.slack_absolute) || !is_zero(contract.slack_relative);
   if (has_slack && !culled(truth, contract) &&
-      within_slack(triangle, searched_ray(ray, contract), contract.slack_absolute, contract.slack_relative))
+      within_slack(triangle, searched_ray(query, contract), contract.slack_absolute, contract.slack_relative))
     return VerdictKind::correct;
   return VerdictKind::false_hit;
 }

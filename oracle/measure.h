@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "case/geometry.h"
+#include "case/query.h"
 
 namespace plumbline {
 
@@ -17,20 +17,20 @@ struct Coordinates {
 
 /// No value where det == 0 (parallel, coplanar, degenerate) or the case is invalid. Real is float or double.
 template <class Real>
-std::optional<Coordinates<Real>> measure(const Triangle& triangle, const Ray& ray);
+std::optional<Coordinates<Real>> measure(const Triangle& triangle, const Query& query);
 
 /// origin + t * direction, each component rounded once, straight from its exact rational (not from the rounded t). There
 /// where measure is.
 template <class Real>
-std::optional<std::array<Real, 3>> hit_point(const Triangle& triangle, const Ray& ray);
+std::optional<std::array<Real, 3>> hit_point(const Triangle& triangle, const Query& query);
 
 /// By how many units in the last place t, u and v as answered are off, each rounded correctly to binary64: the distance to
 /// the exact value, over the ulp of that value rounded to Real. Where the exact value is 0, the unit is the least normal
 /// number. An answer that is NaN or infinite is infinitely far off. There where measure is.
 template <class Real>
-std::optional<Coordinates<double>> ulp_errors(const Triangle& triangle, const Ray& ray, const Coordinates<Real>& answered);
+std::optional<Coordinates<double>> ulp_errors(const Triangle& triangle, const Query& query, const Coordinates<Real>& answered);
 
 /// t as "p/q" in lowest terms, q > 0.
-std::optional<std::string> exact_t(const Triangle& triangle, const Ray& ray);
+std::optional<std::string> exact_t(const Triangle& triangle, const Query& query);
 
 }  // namespace plumbline

@@ -123,24 +123,24 @@ long ulp_exponent_at(double x, Precision precision) {
 
 }  // namespace
 
-std::optional<Severity> severity(const Triangle& triangle, const Ray& ray, bool answered_hit, Precision precision) {
-  if (why_invalid(triangle, ray) != Invalid::none) return std::nullopt;
-  const ExactCase x(triangle, ray);
-  const auto s2 = squared_severity(x, ray, answered_hit);
+std::optional<Severity> severity(const Triangle& triangle, const Query& query, bool answered_hit, Precision precision) {
+  if (why_invalid(triangle, query.ray) != Invalid::none) return std::nullopt;
+  const ExactCase x(triangle, query);
+  const auto s2 = squared_severity(x, query.ray, answered_hit);
   if (!s2) return std::nullopt;
-  const double largest = largest_coordinate(triangle, ray);
+  const double largest = largest_coordinate(triangle, query.ray);
   const Dyadic ulp2(1, 2 * ulp_exponent_at(largest, precision));
   return Severity{.length = rounded_sqrt<double>(*s2),
                   .ulps = rounded_sqrt<double>(Quotient(s2->numerator, s2->denominator * ulp2)),
                   .condition = condition(x, largest)};
 }
 
-bool within_slack(const Triangle& triangle, const Ray& ray, double slack_absolute, double slack_relative) {
-  if (why_invalid(triangle, ray) != Invalid::none) return false;
-  const ExactCase x(triangle, ray);
-  const auto searched = range(ray);
+bool within_slack(const Triangle& triangle, const Query& query, double slack_absolute, double slack_relative) {
+  if (why_invalid(triangle, query.ray) != Invalid::none) return false;
+  const ExactCase x(triangle, query);
+  const auto searched = range(query.ray);
   if (is_zero(x.normal) || !searched) return false;
-  if (meets(x, ray, *searched)) return true;
+  if (meets(x, query.ray, *searched)) return true;
   const Quotient s2 = squared_distance(x, *searched);
   // With L the longest edge: S <= abs + rel L  <=>  excess := S^2 - abs^2 - rel^2 L^2 <= 2 abs rel L; all of it is
   // multiplied by the denominator of S^2, and squared where excess > 0.

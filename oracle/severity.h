@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "case/case.h"
+#include "case/query.h"
 
 namespace plumbline {
 
@@ -30,11 +31,11 @@ struct Severity {
 
 /// The severity of answering `answered_hit` where the truth is otherwise. No value where the triangle has no area, the
 /// case is invalid, the range is empty, or the answer is true (also: where the truth is open, coplanar contact).
-std::optional<Severity> severity(const Triangle& triangle, const Ray& ray, bool answered_hit, Precision precision);
+std::optional<Severity> severity(const Triangle& triangle, const Query& query, bool answered_hit, Precision precision);
 
 /// Whether a translation of the ray by at most slack_absolute + slack_relative * longest edge makes it hit the closed
 /// triangle, exactly; true of a ray that meets it as it is, false where the triangle has no area or the range no t. Both
 /// slacks are finite and >= 0.
-bool within_slack(const Triangle& triangle, const Ray& ray, double slack_absolute, double slack_relative);
+bool within_slack(const Triangle& triangle, const Query& query, double slack_absolute, double slack_relative);
 
 }  // namespace plumbline

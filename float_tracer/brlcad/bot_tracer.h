@@ -46,11 +46,11 @@ class PreparedBot final : public PreparedBag {
     if (possible_) solid_ = prepare_solid(bag);
   }
 
-  void trace(std::span<const Ray> rays, std::span<Answer> answers) override {
+ private:
+  void answer(std::span<const Ray> rays, std::span<Answer> answers) override {
     for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = shoot(rays[i]);
   }
 
- private:
   Answer shoot(const Ray& ray) const {
     if (!possible_ || !finite(ray.origin) || !finite(ray.direction)) return {.outcome = Outcome::fault};
     if (!solid_) return {};

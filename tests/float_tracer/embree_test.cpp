@@ -1,5 +1,5 @@
 // The adapter to Embree: what it passes on, what it refuses, what it leaves alone.
-#include "float_tracer/embree.h"
+#include "float_tracer/adapters/embree.h"
 
 #include <gtest/gtest.h>
 

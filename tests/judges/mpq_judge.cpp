@@ -9,6 +9,7 @@ namespace {
 using Vec = std::array<mpq_class, 3>;
 
 Vec exact(const Vec3& v) { return {mpq_class(v.x), mpq_class(v.y), mpq_class(v.z)}; }
+Vec add(const Vec& x, const Vec& y) { return {x[0] + y[0], x[1] + y[1], x[2] + y[2]}; }
 Vec sub(const Vec& x, const Vec& y) { return {x[0] - y[0], x[1] - y[1], x[2] - y[2]}; }
 mpq_class dot(const Vec& x, const Vec& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
 Vec cross(const Vec& x, const Vec& y) {
@@ -22,8 +23,9 @@ signed char versus(const Determinants& x, double tau) {
 
 }  // namespace
 
-Determinants mpq_determinants(const Triangle& triangle, const Ray& ray) {
-  const Vec o = exact(ray.origin), d = exact(ray.direction), corner = exact(triangle.a);
+Determinants mpq_determinants(const Triangle& triangle, const Query& query) {
+  const Vec o = exact(query.ray.origin), corner = exact(triangle.a);
+  const Vec d = add(exact(query.ray.direction), exact(query.direction_tail));
   const Vec a = sub(corner, o), b = sub(exact(triangle.b), o), c = sub(exact(triangle.c), o);
   const Vec n = cross(sub(b, a), sub(c, a));
   Determinants x;
@@ -36,8 +38,8 @@ Determinants mpq_determinants(const Triangle& triangle, const Ray& ray) {
   return x;
 }
 
-Truth mpq_truth(const Triangle& triangle, const Ray& ray) {
-  const Determinants x = mpq_determinants(triangle, ray);
+Truth mpq_truth(const Triangle& triangle, const Query& query) {
+  const Determinants x = mpq_determinants(triangle, query);
   const int s = sgn(x.det), ab = s * sgn(x.w_ab), bc = s * sgn(x.w_bc), ca = s * sgn(x.w_ca);
   Truth truth;
   truth.det_sign = static_cast<signed char>(s);
@@ -49,8 +51,8 @@ Truth mpq_truth(const Triangle& triangle, const Ray& ray) {
     truth.hit_class = HitClass::exterior;
     return truth;
   }
-  truth.versus_t_min = versus(x, ray.t_min);
-  truth.versus_t_max = versus(x, ray.t_max);
+  truth.versus_t_min = versus(x, query.ray.t_min);
+  truth.versus_t_max = versus(x, query.ray.t_max);
   const int zeros = (ab == 0) + (bc == 0) + (ca == 0);
   truth.hit_class = zeros == 0 ? HitClass::interior : zeros == 1 ? HitClass::edge : HitClass::vertex;
   if (zeros == 1) truth.feature = ab == 0 ? Feature::ab : bc == 0 ? Feature::bc : Feature::ca;

@@ -3,7 +3,7 @@
 #pragma once
 #include <gmpxx.h>
 
-#include "case/geometry.h"
+#include "case/query.h"
 #include "oracle/truth.h"
 
 namespace plumbline::judges {
@@ -13,9 +13,9 @@ struct Determinants {
   mpq_class det, T, w_ab, w_bc, w_ca;
   bool flat = false;  ///< (b-a) x (c-a) = 0
 };
-Determinants mpq_determinants(const Triangle& triangle, const Ray& ray);
+Determinants mpq_determinants(const Triangle& triangle, const Query& query);
 
 /// The case is not invalid.
-Truth mpq_truth(const Triangle& triangle, const Ray& ray);
+Truth mpq_truth(const Triangle& triangle, const Query& query);
 
 }  // namespace plumbline::judges

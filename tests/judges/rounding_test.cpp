@@ -14,18 +14,18 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 // The plane z = height, hit from the origin along (0, 0, slope): t = height / slope.
 Coordinates<double> t_of(double height, double slope) {
   const Triangle triangle{{-1, -1, height}, {3, -1, height}, {-1, 3, height}};
-  return *measure<double>(triangle, {{0, 0, 0}, {0, 0, slope}});
+  return *measure<double>(triangle, Ray{{0, 0, 0}, {0, 0, slope}});
 }
 Coordinates<float> t32_of(double height, double slope) {
   const Triangle triangle{{-1, -1, height}, {3, -1, height}, {-1, 3, height}};
-  return *measure<float>(triangle, {{0, 0, 0}, {0, 0, slope}});
+  return *measure<float>(triangle, Ray{{0, 0, 0}, {0, 0, slope}});
 }
 
 TEST(Rounding, TiesGoToEven) {
   // 2^53 + 1 and 2^53 + 3, as heights seen from z = -1: the exact t is a tie of binary64.
   const auto from_below = [](double height) {
     const Triangle triangle{{-1, -1, height}, {3, -1, height}, {-1, 3, height}};
-    return measure<double>(triangle, {{0, 0, -1}, {0, 0, 1}})->t;
+    return measure<double>(triangle, Ray{{0, 0, -1}, {0, 0, 1}})->t;
   };
   EXPECT_EQ(from_below(0x1p+53), 0x1p+53);
   EXPECT_EQ(from_below(0x1.0000000000001p+53), 0x1.0000000000002p+53);
@@ -34,8 +34,8 @@ TEST(Rounding, TiesGoToEven) {
   EXPECT_EQ(t32_of(0x1.000001p+0, 1).t, 0x1p+0f);
   EXPECT_EQ(t32_of(0x1.000003p+0, 1).t, 0x1.000004p+0f);
   const Triangle above{{-1, -1, 0x1.000001p+0}, {3, -1, 0x1.000001p+0}, {-1, 3, 0x1.000001p+0}};
-  EXPECT_EQ(measure<float>(above, {{0, 0, -0x1p-60}, {0, 0, 1}})->t, 0x1.000002p+0f);
-  EXPECT_EQ(measure<float>(above, {{0, 0, 0x1p-60}, {0, 0, 1}})->t, 0x1p+0f);
+  EXPECT_EQ(measure<float>(above, Ray{{0, 0, -0x1p-60}, {0, 0, 1}})->t, 0x1.000002p+0f);
+  EXPECT_EQ(measure<float>(above, Ray{{0, 0, 0x1p-60}, {0, 0, 1}})->t, 0x1p+0f);
 }
 
 TEST(Rounding, SubnormalsRoundAsSubnormals) {

@@ -17,7 +17,7 @@ MAY_INCLUDE = {
 # parses stays at the border.
 ONLY_IN = {
     r"gmp(xx)?\.h": {"oracle", "analysis/bench/rivals"},
-    r"embree\d/.*": {"float_tracer"},
+    r"embree\d/.*": {"float_tracer/adapters"},
     r"simdjson\.h": {"case"},
     r"nlohmann/.*": set(),
     r"CLI/.*": {"cli"},

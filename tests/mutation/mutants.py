@@ -327,7 +327,7 @@ MUTANTS = [
     (SUMS, "high > first ? term", "high >= first ? term", "second is first either way, and then the leader is not asked"),
     (SUMS, "high > first ? term.negative != part.negated", "high > first ? term.negative"),
     (SUMS, "if (first == none) return 0;", ""),
-    (SUMS, "first - second >= 10", "first - second >= 9", "a leader of 2^(first - 4) has four factors of 1; tau is in 17 others, which are half as large: less than 32 * 2^second in all"),
+    (SUMS, "first - second >= 10", "first - second >= 9", "a leader of 2^(first - 4) has four factors of 1; tau is in 17 others, which are half as large, and a tail is 2^-53 of them: less than 32 * 2^second in all"),
     (SUMS, "first - second >= 10", "first - second >= 5"),
     (SUMS, "first - second >= 10", "first - second >= 2"),
     (SUMS, "first - second >= 10", "first - second >= 0"),

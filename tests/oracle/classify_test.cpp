@@ -123,19 +123,19 @@ TEST(Classify, DegenerateSegmentsAndPoints) {
   const Triangle point{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}};
   const Triangle needle{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}};
   for (const Triangle& t : {segment, point, needle}) EXPECT_EQ(classify(t, down(0, 0)).hit_class, HitClass::degenerate);
-  EXPECT_TRUE(touches(segment, {{1.5, 1.5, 0}, {0, 0, 1}}));
-  EXPECT_TRUE(touches(segment, {{2, 2, 0}, {0, 0, 1}}));
-  EXPECT_FALSE(touches(segment, {{2.5, 2.5, 0}, {0, 0, 1}}));
-  EXPECT_FALSE(touches(segment, {{1.5, 0x1.8000000000001p+0, 0}, {0, 0, 1}}));
-  EXPECT_FALSE(touches(segment, {{1.5, 1.5, 2}, {0, 0, 1}}));   // behind the origin
-  EXPECT_TRUE(touches(segment, {{-1, -1, -1}, {1, 1, 1}}));     // along it
-  EXPECT_FALSE(touches(segment, {{-1, -1, -1}, {-1, -1, -1}}));  // away from it
-  EXPECT_FALSE(touches(segment, {{-1, -1, 0}, {1, 1, 1}}));     // beside it
-  EXPECT_TRUE(touches(point, {{0, 0, 0}, {1, 2, 3}}));
-  EXPECT_FALSE(touches(point, {{0, 0, 0}, {1, 2, 0x1.8000000000001p+1}}));
-  EXPECT_FALSE(touches(point, {{0, 0, 0}, {1, 2, 3}, 0, 0.5}));
-  EXPECT_TRUE(touches(needle, {{0.5, 0, 1}, {0, 0, -1}}));
-  EXPECT_FALSE(touches(needle, {{0.5, least, 1}, {0, 0, -1}}));
+  EXPECT_TRUE(touches(segment, Ray{{1.5, 1.5, 0}, {0, 0, 1}}));
+  EXPECT_TRUE(touches(segment, Ray{{2, 2, 0}, {0, 0, 1}}));
+  EXPECT_FALSE(touches(segment, Ray{{2.5, 2.5, 0}, {0, 0, 1}}));
+  EXPECT_FALSE(touches(segment, Ray{{1.5, 0x1.8000000000001p+0, 0}, {0, 0, 1}}));
+  EXPECT_FALSE(touches(segment, Ray{{1.5, 1.5, 2}, {0, 0, 1}}));   // behind the origin
+  EXPECT_TRUE(touches(segment, Ray{{-1, -1, -1}, {1, 1, 1}}));     // along it
+  EXPECT_FALSE(touches(segment, Ray{{-1, -1, -1}, {-1, -1, -1}}));  // away from it
+  EXPECT_FALSE(touches(segment, Ray{{-1, -1, 0}, {1, 1, 1}}));     // beside it
+  EXPECT_TRUE(touches(point, Ray{{0, 0, 0}, {1, 2, 3}}));
+  EXPECT_FALSE(touches(point, Ray{{0, 0, 0}, {1, 2, 0x1.8000000000001p+1}}));
+  EXPECT_FALSE(touches(point, Ray{{0, 0, 0}, {1, 2, 3}, 0, 0.5}));
+  EXPECT_TRUE(touches(needle, Ray{{0.5, 0, 1}, {0, 0, -1}}));
+  EXPECT_FALSE(touches(needle, Ray{{0.5, least, 1}, {0, 0, -1}}));
 }
 
 TEST(Classify, InvalidSaysWhy) {

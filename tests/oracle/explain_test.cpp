@@ -9,7 +9,7 @@ using testing::HasSubstr;
 const Triangle unit{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
 TEST(Explain, PrintsDeterminantsAsIntegersTimesAPowerOfTwo) {
-  const std::string text = explain(unit, {{0.25, 0.25, 1}, {0, 0, -3}});
+  const std::string text = explain(unit, Ray{{0.25, 0.25, 1}, {0, 0, -3}});
   EXPECT_THAT(text, HasSubstr("det        -3\n"));
   EXPECT_THAT(text, HasSubstr("w_ca       -3 * 2^-2   (the sign of det: inner side)"));
   EXPECT_THAT(text, HasSubstr("class      interior"));
@@ -19,18 +19,18 @@ TEST(Explain, PrintsDeterminantsAsIntegersTimesAPowerOfTwo) {
 }
 
 TEST(Explain, NamesTheFeatureAndTheRange) {
-  EXPECT_THAT(explain(unit, {{0.5, 0.5, 1}, {0, 0, -1}}), HasSubstr("meets edge bc"));
-  EXPECT_THAT(explain(unit, {{0, 1, 1}, {0, 0, -1}}), HasSubstr("meets vertex c"));
-  EXPECT_THAT(explain(unit, {{0, 1, 1}, {0, 0, -1}, 0, 0.5}), HasSubstr("t > t_max"));
-  EXPECT_THAT(explain(unit, {{0, 1, 1}, {0, 0, -1}, 1, 2}), HasSubstr("t = t_min"));
+  EXPECT_THAT(explain(unit, Ray{{0.5, 0.5, 1}, {0, 0, -1}}), HasSubstr("meets edge bc"));
+  EXPECT_THAT(explain(unit, Ray{{0, 1, 1}, {0, 0, -1}}), HasSubstr("meets vertex c"));
+  EXPECT_THAT(explain(unit, Ray{{0, 1, 1}, {0, 0, -1}, 0, 0.5}), HasSubstr("t > t_max"));
+  EXPECT_THAT(explain(unit, Ray{{0, 1, 1}, {0, 0, -1}, 1, 2}), HasSubstr("t = t_min"));
 }
 
 TEST(Explain, SaysWhatALineThatDoesNotCrossMeets) {
-  EXPECT_THAT(explain(unit, {{-1, 0.25, 0}, {1, 0, 0}}), HasSubstr("t from 1/1 to 7/4"));
-  EXPECT_THAT(explain(unit, {{-1, 2, 0}, {1, 0, 0}}), HasSubstr("meets no point"));
-  EXPECT_THAT(explain(unit, {{-1, 0.25, 1}, {1, 0, 0}}), HasSubstr("beside the plane"));
-  EXPECT_THAT(explain({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{1.5, 1.5, 0}, {0, 0, 1}}), HasSubstr("t from 3/2 to 3/2"));
-  EXPECT_THAT(explain(unit, {{0, 0, 1}, {0, 0, 0}}), HasSubstr("invalid: the direction is zero"));
+  EXPECT_THAT(explain(unit, Ray{{-1, 0.25, 0}, {1, 0, 0}}), HasSubstr("t from 1/1 to 7/4"));
+  EXPECT_THAT(explain(unit, Ray{{-1, 2, 0}, {1, 0, 0}}), HasSubstr("meets no point"));
+  EXPECT_THAT(explain(unit, Ray{{-1, 0.25, 1}, {1, 0, 0}}), HasSubstr("beside the plane"));
+  EXPECT_THAT(explain({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, Ray{{1.5, 1.5, 0}, {0, 0, 1}}), HasSubstr("t from 3/2 to 3/2"));
+  EXPECT_THAT(explain(unit, Ray{{0, 0, 1}, {0, 0, 0}}), HasSubstr("invalid: the direction is zero"));
 }
 
 TEST(ExplainVerdict, GivesDutyAnswerAndSeverity) {

@@ -10,7 +10,7 @@ namespace {
 const Triangle unit{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
 TEST(Measure, WeightsOfBAndC) {
-  const auto at = measure<double>(unit, {{0.25, 0.5, 3}, {0, 0, -2}});
+  const auto at = measure<double>(unit, Ray{{0.25, 0.5, 3}, {0, 0, -2}});
   ASSERT_TRUE(at);
   EXPECT_EQ(at->t, 0x1.8p+0);
   EXPECT_EQ(at->u, 0x1p-2);
@@ -35,9 +35,9 @@ TEST(Measure, IsThereOutsideTheTriangleAndOutsideTheRange) {
 }
 
 TEST(Measure, ExactTIsInLowestTermsWithAPositiveDenominator) {
-  EXPECT_EQ(exact_t(unit, {{0, 0, 0}, {0, 0, -1}}), "0/1");
-  EXPECT_EQ(exact_t(unit, {{0, 0, 6}, {0, 0, 4}}), "-3/2");
-  EXPECT_EQ(exact_t(unit, {{0, 0, 0x1p-3}, {0, 0, -0x1p+3}}), "1/64");
+  EXPECT_EQ(exact_t(unit, Ray{{0, 0, 0}, {0, 0, -1}}), "0/1");
+  EXPECT_EQ(exact_t(unit, Ray{{0, 0, 6}, {0, 0, 4}}), "-3/2");
+  EXPECT_EQ(exact_t(unit, Ray{{0, 0, 0x1p-3}, {0, 0, -0x1p+3}}), "1/64");
 }
 
 TEST(Measure, NothingWhereTheLineDoesNotCross) {
@@ -46,7 +46,7 @@ TEST(Measure, NothingWhereTheLineDoesNotCross) {
     EXPECT_FALSE(measure<double>(unit, ray));
     EXPECT_FALSE(exact_t(unit, ray));
   }
-  EXPECT_FALSE(measure<double>({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{0, 0, 1}, {0, 0, -1}}));
+  EXPECT_FALSE(measure<double>({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, Ray{{0, 0, 1}, {0, 0, -1}}));
 }
 
 TEST(HitPoint, IsRoundedFromTheFractionNotFromT) {
@@ -58,7 +58,7 @@ TEST(HitPoint, IsRoundedFromTheFractionNotFromT) {
   EXPECT_EQ((*point)[1], 0x1.5555555555555p-2);
   EXPECT_EQ((*point)[2], 0.0);
   EXPECT_EQ((*hit_point<float>(unit, ray))[1], 0x1.555556p-2f);
-  EXPECT_FALSE(hit_point<double>(unit, {{0, 0, 1}, {1, 0, 0}}));
+  EXPECT_FALSE(hit_point<double>(unit, Ray{{0, 0, 1}, {1, 0, 0}}));
 }
 
 TEST(UlpErrors, AreDistancesInUnitsOfTheExactValue) {

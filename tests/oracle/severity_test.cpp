@@ -94,11 +94,11 @@ TEST(WithinSlack, IsDecidedExactly) {
 }
 
 TEST(WithinSlack, IsTrueOfARayThatMeetsTheTriangle) {
-  EXPECT_TRUE(within_slack(unit, {{0.25, 0.25, 1}, {0, 0, -1}}, 0, 0));
-  EXPECT_TRUE(within_slack(unit, {{0.5, 0, 1}, {0, 0, -1}, 0, 1}, 0, 0));
-  EXPECT_TRUE(within_slack(unit, {{-1, 0.25, 0}, {1, 0, 0}}, 0, 0));  // in the plane
-  EXPECT_FALSE(within_slack({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{1, 0, 1}, {0, 0, -1}}, 8, 8));
-  EXPECT_FALSE(within_slack(unit, {{0.25, 0.25, 1}, {0, 0, -1}, 1, 0}, 8, 8));
+  EXPECT_TRUE(within_slack(unit, Ray{{0.25, 0.25, 1}, {0, 0, -1}}, 0, 0));
+  EXPECT_TRUE(within_slack(unit, Ray{{0.5, 0, 1}, {0, 0, -1}, 0, 1}, 0, 0));
+  EXPECT_TRUE(within_slack(unit, Ray{{-1, 0.25, 0}, {1, 0, 0}}, 0, 0));  // in the plane
+  EXPECT_FALSE(within_slack({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, Ray{{1, 0, 1}, {0, 0, -1}}, 8, 8));
+  EXPECT_FALSE(within_slack(unit, Ray{{0.25, 0.25, 1}, {0, 0, -1}, 1, 0}, 8, 8));
 }
 
 TEST(Severity, UlpsOfBinary32AreThoseOfTheCoordinateAsItIs) {

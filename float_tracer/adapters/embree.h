@@ -8,14 +8,14 @@
 // Outcome::fault. The mode of the bag is not read: every triangle counts as a surface.
 #pragma once
 #include <memory>
+#include <vector>
 
 #include "float_tracer/tracer.h"
 
 namespace plumbline {
 
-std::unique_ptr<Tracer> embree_default();
-
-/// With RTC_SCENE_FLAG_ROBUST: "robust traversal, and avoids optimizations that reduce arithmetic accuracy".
-std::unique_ptr<Tracer> embree_robust();
+/// embree_default, and embree_robust with RTC_SCENE_FLAG_ROBUST: "robust traversal, and avoids optimizations that reduce
+/// arithmetic accuracy".
+std::vector<std::unique_ptr<Tracer>> embree_tracers();
 
 }  // namespace plumbline

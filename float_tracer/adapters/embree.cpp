@@ -1,4 +1,4 @@
-#include "float_tracer/embree.h"
+#include "float_tracer/adapters/embree.h"
 
 #include <embree3/rtcore.h>
 
@@ -87,11 +87,11 @@ class PreparedScene final : public PreparedBag {
  public:
   explicit PreparedScene(Scene scene) : scene_(std::move(scene)) {}
 
-  void trace(std::span<const Ray> rays, std::span<Answer> answers) override {
+ private:
+  void answer(std::span<const Ray> rays, std::span<Answer> answers) override {
     for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = answer(rays[i]);
   }
 
- private:
   Answer answer(const Ray& ray) const {
     if (!scene_ || !within_limits(ray)) return {.outcome = Outcome::fault};
     RTCRayHit query = to_embree(ray);
@@ -116,7 +116,8 @@ class EmbreeTracer final : public Tracer {
   EmbreeTracer(std::string name, std::string summary, RTCSceneFlags flags)
       : Tracer({.name = std::move(name),
                 .summary = std::move(summary),
-                .source = "Embree " RTC_VERSION_STRING ", rtcIntersect1",
+                .source = "rtcIntersect1",
+                .package = "libembree-dev " RTC_VERSION_STRING,
                 .contract = {.precision = Precision::binary32,
                              .edges = EdgeRule::unspecified,
                              .t_min = EndRule::unspecified,
@@ -135,12 +136,13 @@ class EmbreeTracer final : public Tracer {
 
 }  // namespace
 
-std::unique_ptr<Tracer> embree_default() {
-  return std::make_unique<EmbreeTracer>("embree_default", "Embree 3 with its default scene flags", RTC_SCENE_FLAG_NONE);
-}
-
-std::unique_ptr<Tracer> embree_robust() {
-  return std::make_unique<EmbreeTracer>("embree_robust", "Embree 3 with its robust scene flag", RTC_SCENE_FLAG_ROBUST);
+std::vector<std::unique_ptr<Tracer>> embree_tracers() {
+  std::vector<std::unique_ptr<Tracer>> list;
+  list.push_back(
+      std::make_unique<EmbreeTracer>("embree_default", "Embree 3 with its default scene flags", RTC_SCENE_FLAG_NONE));
+  list.push_back(
+      std::make_unique<EmbreeTracer>("embree_robust", "Embree 3 with its robust scene flag", RTC_SCENE_FLAG_ROBUST));
+  return list;
 }
 
 }  // namespace plumbline
