@@ -11,7 +11,7 @@
 
 #include "float_tracer/kernel.h"
 
-namespace plumbline {
+namespace plumbline::inline PLUMBLINE_KERNELS {
 
 template <class Real>
 struct BaldwinWeber {
@@ -60,4 +60,4 @@ struct BaldwinWeber {
   }
 };
 
-}  // namespace plumbline
+}  // namespace plumbline::inline PLUMBLINE_KERNELS

@@ -11,7 +11,7 @@
 #pragma once
 #include "float_tracer/vec.h"
 
-namespace plumbline {
+namespace plumbline::inline PLUMBLINE_KERNELS {
 
 template <class Real>
 struct KernelTriangle {
@@ -33,4 +33,4 @@ struct KernelHit {
   Real u, v;  ///< weights of b and c
 };
 
-}  // namespace plumbline
+}  // namespace plumbline::inline PLUMBLINE_KERNELS

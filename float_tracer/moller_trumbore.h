@@ -9,7 +9,7 @@
 
 #include "float_tracer/kernel.h"
 
-namespace plumbline {
+namespace plumbline::inline PLUMBLINE_KERNELS {
 
 template <class Real>
 struct MollerTrumbore {
@@ -45,4 +45,4 @@ struct MollerTrumbore {
   }
 };
 
-}  // namespace plumbline
+}  // namespace plumbline::inline PLUMBLINE_KERNELS

@@ -12,7 +12,7 @@
 
 #include "float_tracer/kernel.h"
 
-namespace plumbline {
+namespace plumbline::inline PLUMBLINE_KERNELS {
 
 template <class Real>
 struct Plucker {
@@ -60,4 +60,4 @@ struct Plucker {
   static Real side(const Line& p, const Line& q) { return dot(p.direction, q.moment) + dot(q.direction, p.moment); }
 };
 
-}  // namespace plumbline
+}  // namespace plumbline::inline PLUMBLINE_KERNELS

@@ -4,6 +4,9 @@
 
 namespace plumbline {
 
+// Not in the header: a file compiled for a processor with FMA would leave its copy of it to the linker.
+Query PreparedBag::asked(const Ray& ray) { return ray; }
+
 void PreparedBag::trace(std::span<const Ray> rays, std::span<Answer> answers) {
   const FloatEnvironment before;
   answer(rays, answers);

@@ -22,7 +22,7 @@ class PreparedBag {
 
   /// What the tracer is really asked for this ray, which its interface may not hold; t of the answer counts in it. The
   /// ray itself unless TracerInfo::own_queries.
-  virtual Query asked(const Ray& ray) { return ray; }
+  virtual Query asked(const Ray& ray);
 
   /// Whether a call of trace, up to now, left the floating-point controls changed.
   bool disturbed() const { return disturbed_; }

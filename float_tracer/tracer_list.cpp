@@ -1,33 +1,20 @@
 #include "float_tracer/tracer_list.h"
 
 #include "float_tracer/adapters/adapter_list.h"
-#include "float_tracer/baldwin_weber.h"
 #include "float_tracer/brlcad/bot_classic.h"
 #include "float_tracer/brlcad/bot_hlbvh.h"
+#include "float_tracer/kernel_list.h"
 #include "float_tracer/kernel_tracer.h"
-#include "float_tracer/moller_trumbore.h"
-#include "float_tracer/plucker.h"
-#include "float_tracer/woop_watertight.h"
+#include "float_tracer/variants/variants.h"
 
 namespace plumbline {
-namespace {
 
-using List = std::vector<std::unique_ptr<Tracer>>;
-
-template <template <class> class Kernel>
-void add_both_precisions(List& list) {
-  list.push_back(std::make_unique<KernelTracer<Kernel<float>>>());
-  list.push_back(std::make_unique<KernelTracer<Kernel<double>>>());
-}
-
-}  // namespace
-
-List float_tracers() {
-  List list;
-  add_both_precisions<MollerTrumbore>(list);
-  add_both_precisions<WoopWatertight>(list);
-  add_both_precisions<Plucker>(list);
-  add_both_precisions<BaldwinWeber>(list);
+std::vector<std::unique_ptr<Tracer>> float_tracers() {
+  std::vector<std::unique_ptr<Tracer>> list;
+  for_each_kernel([&list]<class Kernel>() { list.push_back(std::make_unique<KernelTracer<Kernel>>()); });
+#ifdef PLUMBLINE_VARIANTS
+  for (auto& tracer : kernel_variants()) list.push_back(std::move(tracer));
+#endif
   list.push_back(brlcad_bot_classic());
   list.push_back(brlcad_bot_classic_kernel());
   list.push_back(brlcad_bot_hlbvh());

@@ -5,7 +5,13 @@
 
 #include "case/geometry.h"
 
-namespace plumbline {
+// The kernels compiled with other flags are other tracers: variants/ gives them a namespace of their own, so that the
+// linker merges no function of one with that of another.
+#ifndef PLUMBLINE_KERNELS
+#define PLUMBLINE_KERNELS as_written
+#endif
+
+namespace plumbline::inline PLUMBLINE_KERNELS {
 
 template <class Real>
 struct Vec {
@@ -56,4 +62,4 @@ int largest_axis(const Vec<Real>& a) {
 /// The axis after this one, cyclically.
 constexpr int next_axis(int axis) { return axis == 2 ? 0 : axis + 1; }
 
-}  // namespace plumbline
+}  // namespace plumbline::inline PLUMBLINE_KERNELS

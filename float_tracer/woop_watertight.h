@@ -13,7 +13,7 @@
 
 #include "float_tracer/kernel.h"
 
-namespace plumbline {
+namespace plumbline::inline PLUMBLINE_KERNELS {
 
 template <class Real>
 struct WoopWatertight {
@@ -73,4 +73,4 @@ struct WoopWatertight {
   }
 };
 
-}  // namespace plumbline
+}  // namespace plumbline::inline PLUMBLINE_KERNELS

@@ -20,11 +20,15 @@ std::vector<std::string> names() {
 }
 
 // The groups of the table, in its order.
-enum class Group { kernel, brlcad, library };
+enum class Group { kernel, variant, brlcad, library };
 
 Group group_of(const std::string& name) {
   if (name.starts_with("brlcad_")) return Group::brlcad;
-  return name.ends_with("_f32") || name.ends_with("_f64") ? Group::kernel : Group::library;
+  for (const char* how : {"_fma", "_fast_math", "_ftz_daz"})
+    if (name.ends_with(how)) return Group::variant;
+  for (const char* kernel : {"moller_trumbore", "woop_watertight", "plucker", "baldwin_weber"})
+    if (name.starts_with(kernel)) return Group::kernel;
+  return Group::library;
 }
 
 TEST(TracerList, NamesAreUniqueAndInTheOrderOfTheirGroups) {

@@ -1,0 +1,70 @@
+#include "float_tracer/variants/variants.h"
+
+#include <immintrin.h>
+
+#include "float_tracer/float_environment.h"
+#include "float_tracer/kernel_list.h"
+#include "float_tracer/kernel_tracer.h"
+
+namespace plumbline {
+namespace {
+
+using Prepare = std::unique_ptr<PreparedBag> (*)(std::size_t, const Bag&);
+
+class Flushed final : public PreparedBag {
+ public:
+  explicit Flushed(std::unique_ptr<PreparedBag> bag) : bag_(std::move(bag)) {}
+
+ private:
+  void answer(std::span<const Ray> rays, std::span<Answer> answers) override {
+    const FloatEnvironment before;
+    _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
+    _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
+    bag_->trace(rays, answers);
+    before.restore();
+  }
+
+  std::unique_ptr<PreparedBag> bag_;
+};
+
+class Variant final : public Tracer {
+ public:
+  Variant(TracerInfo info, std::size_t kernel, Prepare prepare)
+      : Tracer(std::move(info)), kernel_(kernel), prepare_(prepare) {}
+  std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override { return prepare_(kernel_, bag); }
+
+ private:
+  std::size_t kernel_;
+  Prepare prepare_;
+};
+
+std::unique_ptr<PreparedBag> prepare_flushed(std::size_t index, const Bag& bag) {
+  std::unique_ptr<PreparedBag> prepared;
+  std::size_t at = 0;
+  for_each_kernel([&]<class Kernel>() {
+    if (at++ == index) prepared = std::make_unique<Flushed>(std::make_unique<PreparedKernelBag<Kernel>>(bag));
+  });
+  return prepared;
+}
+
+}  // namespace
+
+std::vector<std::unique_ptr<Tracer>> kernel_variants() {
+  std::vector<std::unique_ptr<Tracer>> list;
+  const auto add_all = [&list](const char* suffix, const char* how, Prepare prepare) {
+    std::size_t index = 0;
+    for_each_kernel([&]<class Kernel>() {
+      TracerInfo info = KernelTracer<Kernel>().info();
+      info.summary = info.name + " " + how;
+      info.name += suffix;
+      list.push_back(std::make_unique<Variant>(std::move(info), index++, prepare));
+    });
+  };
+  if (__builtin_cpu_supports("fma"))
+    add_all("_fma", "contracted to fused multiply-adds", prepare_with_fma);
+  add_all("_fast_math", "compiled with -ffast-math", prepare_with_fast_math);
+  add_all("_ftz_daz", "with subnormals flushed to zero", prepare_flushed);
+  return list;
+}
+
+}  // namespace plumbline
