@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "case/input_error.h"
 #include "case/nearest_name.h"
 #include "float_tracer/tracer_list.h"
@@ -57,6 +59,31 @@ const std::vector<std::unique_ptr<Tracer>>& all_tracers() {
     return list;
   }();
   return tracers;
+}
+
+std::vector<const Tracer*> standard_tracers() {
+  constexpr std::string_view names[] = {
+      "moller_trumbore_f32", "moller_trumbore_f64", "woop_watertight_f32", "woop_watertight_f64",
+      "plucker_f32",         "plucker_f64",         "baldwin_weber_f32",   "baldwin_weber_f64",
+      "brlcad_bot_classic",  "brlcad_bot_hlbvh",    "brlcad_bot_classic_kernel",
+      "embree_default",      "embree_robust",       "exact"};
+  std::vector<const Tracer*> list;
+  for (const auto& tracer : all_tracers())
+    if (std::ranges::find(names, tracer->info().name) != std::end(names)) list.push_back(tracer.get());
+  return list;
+}
+
+std::vector<const Tracer*> find_tracers(const std::vector<std::string>& names) {
+  if (names.empty()) return standard_tracers();
+  std::vector<const Tracer*> list;
+  for (const std::string& name : names) {
+    if (name != "all") {
+      list.push_back(&find_tracer(name));
+      continue;
+    }
+    for (const auto& tracer : all_tracers()) list.push_back(tracer.get());
+  }
+  return list;
 }
 
 const Tracer* tracer_named(std::string_view name) {

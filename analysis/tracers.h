@@ -12,6 +12,12 @@ namespace plumbline {
 /// In table order; `exact` is the last.
 const std::vector<std::unique_ptr<Tracer>>& all_tracers();
 
+/// Whom a verb asks that is not told: the textbook kernels as written, BRL-CAD's rules, Embree and `exact`.
+std::vector<const Tracer*> standard_tracers();
+
+/// By their names, of which "all" stands for all; standard_tracers() for none. Throws as find_tracer.
+std::vector<const Tracer*> find_tracers(const std::vector<std::string>& names);
+
 /// Null if this build has none of that name.
 const Tracer* tracer_named(std::string_view name);
 

@@ -38,7 +38,7 @@ Vec3 vector(Draw draw) {
   return {x, y, z};
 }
 
-// Exact in every use below: the operands are small multiples of one grid.
+// Exact for small multiples of one grid.
 Vec3 add(const Vec3& p, const Vec3& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
 Vec3 subtract(const Vec3& p, const Vec3& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
 Vec3 scale(double k, const Vec3& p) { return {k * p.x, k * p.y, k * p.z}; }
@@ -148,6 +148,67 @@ Shot full_range(Random& random) {
   return {{vector(any), vector(any), vector(any)}, {vector(any), vector(any)}};
 }
 
+// The weights of b and c in the point that a ray is aimed at.
+struct Target {
+  double u, v;
+};
+
+Target near_inside(Random& random) { return {0.25 + 0.5 * random.unit(), 0.25 + 0.5 * random.unit()}; }
+
+Vec3 point(const Triangle& t, const Target& at) {
+  return add(t.a, add(scale(at.u, subtract(t.b, t.a)), scale(at.v, subtract(t.c, t.a))));
+}
+
+Triangle random_triangle(Random& random) {
+  const auto unit = [&] { return random.unit(); };
+  const Vec3 a = vector(unit), b = vector(unit), c = vector(unit);
+  return {a, b, c};
+}
+
+Ray from_to(const Vec3& origin, const Vec3& target) { return {origin, subtract(target, origin)}; }
+
+Vec3 random_origin(Random& random) {
+  return scale(2, vector([&] { return random.unit(); }));
+}
+
+Shot aimed(Random& random, const Triangle& triangle) {
+  const Target at = near_inside(random);
+  return {triangle, from_to(random_origin(random), point(triangle, at))};
+}
+
+Shot sliver(Random& random) {
+  Triangle t = random_triangle(random);
+  const Vec3 aside = scale(0x1p-20, t.c);
+  t.c = add(point(t, {0.5 + 0.5 * random.unit(), 0}), aside);
+  return aimed(random, t);
+}
+
+Shot far(Random& random) {
+  const Vec3 away = scale(0x1p+20, vector([&] { return random.chance(2) ? 1.0 : -1.0; }));
+  Triangle t = random_triangle(random);
+  for (Vec3* p : {&t.a, &t.b, &t.c}) *p = add(*p, away);
+  const Target at = near_inside(random);
+  return {t, from_to(add(random_origin(random), away), point(t, at))};
+}
+
+Shot grazing(Random& random) {
+  const Triangle t = random_triangle(random);
+  const Target at = near_inside(random), from = {4 * random.unit(), 4 * random.unit()};
+  const Vec3 above = scale(0x1p-20, vector([&] { return random.unit(); }));
+  return {t, from_to(add(point(t, from), above), point(t, at))};
+}
+
+Shot scaled(Shot s, double factor) {
+  for (Vec3* p : {&s.triangle.a, &s.triangle.b, &s.triangle.c, &s.ray.origin}) *p = scale(factor, *p);
+  return s;
+}
+
+Shot edge_ulps(Random& random) {
+  const Triangle t = random_triangle(random);
+  const Target at = {0.5 + 0.5 * random.unit(), 0};
+  return {t, from_to(random_origin(random), point(t, at))};
+}
+
 Shot geometry(Family family, Random& random) {
   switch (family) {
     case Family::random: return random_shot(random);
@@ -164,6 +225,12 @@ Shot geometry(Family family, Random& random) {
     case Family::wide: return wide(random);
     case Family::wide_edge: return wide_edge(random);
     case Family::full_range: return full_range(random);
+    case Family::sliver: return sliver(random);
+    case Family::far: return far(random);
+    case Family::grazing: return grazing(random);
+    case Family::tiny: return scaled(aimed(random, random_triangle(random)), 0x1p-66);
+    case Family::huge: return scaled(aimed(random, random_triangle(random)), 0x1p+59);
+    case Family::edge_ulps: return edge_ulps(random);
   }
   return {};
 }

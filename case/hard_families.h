@@ -24,10 +24,18 @@ enum class Family : unsigned char {
   wide,          ///< every coordinate's exponent uniform in +-500
   wide_edge,     ///< exact_edge51 with each axis and the direction scaled by powers of two up to 2^+-300
   full_range,    ///< any finite bits: subnormals, huge values, signed zeros
+  // Aimed at a point of the triangle's plane, as nearly as rounding lets; about a third of them hit.
+  sliver,     ///< an altitude 2^-20 of the longest edge
+  far,        ///< triangle and origin 2^20 times their size away from 0
+  grazing,    ///< the origin above the plane by 2^-20 of its distance
+  tiny,       ///< points scaled by 2^-66: products of three underflow in binary32
+  huge,       ///< points scaled by 2^59: they overflow there
+  edge_ulps,  ///< aimed at a point of edge AB
 };
-inline constexpr std::array<std::string_view, 14> family_names = {
-    "random", "small_far",  "lattice",    "exact_edge12", "exact_edge23", "exact_edge51", "ulp12",
-    "ulp51",  "coplanar", "degenerate", "mixed40",      "wide",         "wide_edge",    "full_range"};
+inline constexpr std::array<std::string_view, 20> family_names = {
+    "random", "small_far",  "lattice", "exact_edge12", "exact_edge23", "exact_edge51", "ulp12",
+    "ulp51",  "coplanar",   "degenerate", "mixed40",   "wide",         "wide_edge",    "full_range",
+    "sliver", "far",        "grazing", "tiny",         "huge",         "edge_ulps"};
 constexpr std::string_view name(Family f) { return family_names[static_cast<unsigned>(f)]; }
 
 struct Shot {

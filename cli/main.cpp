@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
 
   bool disagreement = false;
   plumbline::add_sweep(app);
+  plumbline::add_compare(app);
   plumbline::add_lattice(app);
   plumbline::add_classify(app);
   plumbline::add_trace(app);

@@ -15,16 +15,8 @@ struct Options {
   std::vector<std::string> paths, tracers;
 };
 
-std::vector<const Tracer*> chosen_tracers(const Options& options) {
-  std::vector<const Tracer*> chosen;
-  for (const std::string& name : options.tracers) chosen.push_back(&find_tracer(name));
-  if (options.tracers.empty())
-    for (const auto& tracer : all_tracers()) chosen.push_back(tracer.get());
-  return chosen;
-}
-
 bool run(const Options& options) {
-  const ReplaySummary summary = replay(options.paths, chosen_tracers(options));
+  const ReplaySummary summary = replay(options.paths, find_tracers(options.tracers));
   Output output;
   for (const ReplayEvent& event : summary.events)
     output.write(fmt::format("{}: {}: {}\n", event.file, event.id, event.message));
@@ -46,7 +38,7 @@ void add_replay(CLI::App& app, bool& disagreement) {
       app.add_subcommand("replay", "Run .case files as a regression test: exit code 1 if something changed");
   auto options = std::make_shared<Options>();
   verb->add_option("PATH", options->paths, ".case files, and folders that are searched for *.case")->required();
-  verb->add_option("--tracer", options->tracers, "Whom to ask; repeatable (default: all, see 'plumbline tracers')")
+  verb->add_option("--tracer", options->tracers, "Whom to ask, or 'all'; repeatable (default: textbook kernels, BRL-CAD's rules,\nEmbree, exact)")
       ->type_name("NAME")
       ->expected(1)
       ->take_all();

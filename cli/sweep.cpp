@@ -60,9 +60,7 @@ SweepPlan plan_of(const SweepOptions& options) {
   plan.normal = *from_name<Normal>(normal_names, options.normal);
   plan.object.mode = *from_name<BagMode>(bag_mode_names, options.mode);
   plan.object.thickness = to_double(parse_decimal(options.thickness, "--thickness"));
-  for (const std::string& name : options.tracers) plan.tracers.push_back(&find_tracer(name));
-  if (options.tracers.empty())
-    for (const auto& tracer : all_tracers()) plan.tracers.push_back(tracer.get());
+  plan.tracers = find_tracers(options.tracers);
   plan.triples = triple_range(plan.lattices.front(), options.lattice.first, options.lattice.count);
   plan.jobs = options.jobs;
   return plan;
@@ -165,7 +163,7 @@ void add_sweep(CLI::App& app) {
       ->capture_default_str()
       ->group("Rays");
   verb->add_option("--tracer", o.tracers,
-                   "Tracer to put to the test; repeatable (default: all, see 'plumbline tracers')")
+                   "Tracer to put to the test, or 'all'; repeatable (default: textbook kernels, BRL-CAD's rules, Embree, exact)")
       ->type_name("NAME")
       ->group("Tracers");
   verb->add_option("--mode", o.mode, "What a triangle is")
