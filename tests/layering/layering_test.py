@@ -19,6 +19,7 @@ ONLY_IN = {
     r"gmp(xx)?\.h": {"oracle", "analysis/bench/rivals"},
     r"embree\d/.*": {"float_tracer/adapters"},
     r"c?glm/.*": {"float_tracer/adapters"},
+    r"graphene.*\.h": {"float_tracer/adapters"},
     r"(BulletCollision|LinearMath)/.*": {"float_tracer/adapters"},
     r"simdjson\.h": {"case"},
     r"nlohmann/.*": set(),
