@@ -21,6 +21,7 @@ ONLY_IN = {
     r"c?glm/.*": {"float_tracer/adapters"},
     r"graphene.*\.h": {"float_tracer/adapters"},
     r"(BulletCollision|LinearMath)/.*": {"float_tracer/adapters"},
+    r"ode/.*": {"float_tracer/adapters"},
     r"simdjson\.h": {"case"},
     r"nlohmann/.*": set(),
     r"CLI/.*": {"cli"},
