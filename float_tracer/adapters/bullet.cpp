@@ -24,8 +24,7 @@ class Nearest final : public btTriangleRaycastCallback {
   using btTriangleRaycastCallback::btTriangleRaycastCallback;
 
   btScalar reportHit(const btVector3&, btScalar fraction, int, int index) override {
-    answer = {
-        .outcome = Outcome::hit, .has_t = true, .triangle = static_cast<std::uint32_t>(index), .t = fraction};
+    answer = {.outcome = Outcome::hit, .has_t = true, .triangle = static_cast<std::uint32_t>(index), .t = fraction};
     return fraction;
   }
 
@@ -76,9 +75,7 @@ class BulletTracer final : public Tracer {
                              .slack_relative = 2e-4},
                 .own_queries = true}) {}
 
-  std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override {
-    return std::make_unique<PreparedBullet>(bag);
-  }
+  std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override { return std::make_unique<PreparedBullet>(bag); }
 };
 
 }  // namespace

@@ -13,6 +13,7 @@
 // unspecified. Oddities of 3.24:
 // - An end on the plane is no hit. Nor is one where the product of the ends' distances to the plane rounds to zero:
 //   these have the unit of a volume, so that small triangles (1e-8, say) are missed by all rays.
+// - A fraction that rounds to 1 is no hit, though the segment ends beyond the plane.
 // - The plane's constant is a difference from the world's origin: far from it, it cancels, and chance decides.
 // - The normal of a sliver cancels as well; the tolerance, which scales with its square, can't make up for it.
 #pragma once

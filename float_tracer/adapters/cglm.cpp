@@ -62,9 +62,8 @@ class CglmTracer final : public Tracer {
                 .summary = "cglm: Moller and Trumbore's test with an absolute epsilon on det and t",
                 .source = "glm_ray_triangle",
                 .package = "libcglm-dev " + version(),
-                .contract = {.precision = Precision::binary32,
-                             .t_min = EndRule::unspecified,
-                             .t_max = EndRule::unspecified}}) {}
+                .contract = {
+                    .precision = Precision::binary32, .t_min = EndRule::unspecified, .t_max = EndRule::unspecified}}) {}
 
   std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override { return std::make_unique<PreparedCglm>(bag); }
 };

@@ -2,7 +2,6 @@
 
 #define GLM_ENABLE_EXPERIMENTAL  // its gtx headers refuse to be included without
 #include <glm/gtx/intersect.hpp>
-
 #include <string>
 #include <type_traits>
 
@@ -35,8 +34,7 @@ class PreparedGlm final : public PreparedBag {
   void answer(std::span<const Ray> rays, std::span<Answer> answers) override {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const GlmVec<Real> origin = to_glm<Real>(rays[i].origin), direction = to_glm<Real>(rays[i].direction);
-      answers[i] =
-          nearest(triangles_, [&](const Corners& t) { return answer(origin, direction, rays[i], t); });
+      answers[i] = nearest(triangles_, [&](const Corners& t) { return answer(origin, direction, rays[i], t); });
     }
   }
 

@@ -115,7 +115,7 @@ class PreparedMesh final : public PreparedBag {
   }
 
   double largest_;
-  std::vector<double> vertices_;    // ODE keeps pointers to both
+  std::vector<double> vertices_;  // ODE keeps pointers to both
   std::vector<dTriIndex> indices_;
   Data data_;  // null without triangles
   Geom mesh_;
@@ -137,9 +137,7 @@ class OdeTracer final : public Tracer {
                 .own_queries = true,
                 .isolation = Isolation::process}) {}
 
-  std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override {
-    return std::make_unique<PreparedMesh>(bag);
-  }
+  std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override { return std::make_unique<PreparedMesh>(bag); }
 };
 
 }  // namespace

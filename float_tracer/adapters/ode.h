@@ -14,7 +14,10 @@
 //   doubles, doesn't excuse), so that a direction normalized in double is rounded once more.
 // - A weight or distance of -0 counts as negative: of two rays from a point of the triangle one misses, and so do
 //   rays through edges, by the winding.
-// - |det| < 1e-6 counts as parallel: with its unit directions, triangles of area below 5e-7 can't be hit.
+// - |det| up to 1e-6 times the square of the shorter of the edges ab and ac counts as parallel, det being twice the
+//   area seen along the ray. So rays at less than 1e-6 to the plane are missed, and so are slivers with their narrow
+//   angle at a, which with another vertex first are hit.
+// - With edges below 2^-63 the reciprocal of det overflows in float, and all is missed.
 #pragma once
 #include <memory>
 #include <vector>

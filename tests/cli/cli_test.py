@@ -218,9 +218,10 @@ class Replay(CliTest):
         return run("replay", *options, self.write("x.case", text))
 
     def test_corpus(self):
-        result = run("replay", CORPUS / "hard")
-        self.assertEqual((result.returncode, result.stdout), (0, ""))
-        self.assertRegex(result.stderr, r"\A\d+ cases in \d+ files, .* 0 not as the files say, \d+ known findings")
+        for folder in ("hard", "adapters"):
+            result = run("replay", CORPUS / folder)
+            self.assertEqual((result.returncode, result.stdout), (0, ""))
+            self.assertRegex(result.stderr, r"\A\d+ cases in \d+ files, .* 0 not as the files say, \d+ known findings")
 
     def test_agreement(self):
         result = self.replay(self.CASE + "expect interior hit t 1 u 0.25 v 0.25\n")

@@ -47,9 +47,8 @@ TEST(Cglm, ReadsTheRange) {
   Ray ray = down;
   for (const auto& [t_min, t_max, expected] :
        {std::tuple(0.0, 3.5, Outcome::miss), std::tuple(4.5, infinity, Outcome::miss),
-        std::tuple(4.0, 4.0, Outcome::hit), std::tuple(5.0, 3.0, Outcome::miss),
-        std::tuple(-1.0, 9.0, Outcome::fault), std::tuple(not_a_number, 9.0, Outcome::fault),
-        std::tuple(0.0, not_a_number, Outcome::miss)}) {
+        std::tuple(4.0, 4.0, Outcome::hit), std::tuple(5.0, 3.0, Outcome::miss), std::tuple(-1.0, 9.0, Outcome::fault),
+        std::tuple(not_a_number, 9.0, Outcome::fault), std::tuple(0.0, not_a_number, Outcome::miss)}) {
     ray.t_min = t_min, ray.t_max = t_max;
     EXPECT_EQ(outcome(flat, ray), expected) << t_min << ' ' << t_max;
   }

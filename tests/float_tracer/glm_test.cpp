@@ -74,9 +74,7 @@ TEST_P(Glm, ReadsTheRange) {
 // The greatest det that is refused is the machine epsilon.
 TEST_P(Glm, TakesADeterminantUpToEpsilonForParallel) {
   const double epsilon = single() ? 0x1p-23 : 0x1p-52;
-  const auto with_det = [](double det) {
-    return Triangle{{0, 0, 0}, {1, 0, 0}, {0, det, 0}};
-  };
+  const auto with_det = [](double det) { return Triangle{{0, 0, 0}, {1, 0, 0}, {0, det, 0}}; };
   const auto through = [](double det) { return Ray{.origin = {0.25, det / 4, 1}, .direction = {0, 0, -1}}; };
   EXPECT_EQ(outcome(with_det(epsilon), through(epsilon)), Outcome::miss);
   EXPECT_EQ(outcome(with_det(2 * epsilon), through(2 * epsilon)), Outcome::hit);

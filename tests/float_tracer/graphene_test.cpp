@@ -51,9 +51,9 @@ TEST(Graphene, AsksWithANormalizedDirection) {
   EXPECT_EQ(query.ray.origin, ray.origin);
   EXPECT_EQ(query.ray.t_min, 3.5);
   EXPECT_EQ(query.ray.t_max, 21);
-  for (const auto& [given, unit] : {std::pair(ray.direction.x, query.ray.direction.x),
-                                    std::pair(ray.direction.y, query.ray.direction.y),
-                                    std::pair(ray.direction.z, query.ray.direction.z)}) {
+  for (const auto& [given, unit] :
+       {std::pair(ray.direction.x, query.ray.direction.x), std::pair(ray.direction.y, query.ray.direction.y),
+        std::pair(ray.direction.z, query.ray.direction.z)}) {
     EXPECT_NEAR(unit, given / 7, 0x1p-21);
     EXPECT_EQ(unit, static_cast<float>(unit));
   }
@@ -71,9 +71,8 @@ TEST(Graphene, ReadsTheRange) {
   Ray ray = down;
   for (const auto& [t_min, t_max, expected] :
        {std::tuple(0.0, 3.5, Outcome::miss), std::tuple(4.5, infinity, Outcome::miss),
-        std::tuple(3.5, 4.5, Outcome::hit), std::tuple(5.0, 3.0, Outcome::miss),
-        std::tuple(-1.0, 9.0, Outcome::fault), std::tuple(not_a_number, 9.0, Outcome::fault),
-        std::tuple(0.0, not_a_number, Outcome::miss)}) {
+        std::tuple(3.5, 4.5, Outcome::hit), std::tuple(5.0, 3.0, Outcome::miss), std::tuple(-1.0, 9.0, Outcome::fault),
+        std::tuple(not_a_number, 9.0, Outcome::fault), std::tuple(0.0, not_a_number, Outcome::miss)}) {
     ray.t_min = t_min, ray.t_max = t_max;
     EXPECT_EQ(outcome(flat, ray), expected) << t_min << ' ' << t_max;
   }
