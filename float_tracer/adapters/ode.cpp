@@ -18,12 +18,13 @@ namespace {
 
 static_assert(std::is_same_v<dReal, double>, "Debian's libode is the double precision one");
 
-// For all of ODE, which is initialized with the first lock.
+// For all of ODE, which the first lock initializes; a build with a cache for each thread wants to hear of each one.
 std::unique_lock<std::mutex> lock_ode() {
   static std::mutex mutex;
   std::unique_lock lock(mutex);
-  static const bool ready = dInitODE2(0) && dAllocateODEDataForThread(dAllocateMaskAll);
-  static_cast<void>(ready);
+  static const bool initialized = dInitODE2(0) != 0;
+  thread_local const bool allocated = initialized && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
+  static_cast<void>(allocated);
   return lock;
 }
 
