@@ -45,6 +45,12 @@ TEST(TracerList, HoldsTheOnesWeKnow) {
 #ifdef PLUMBLINE_TEST_EMBREE
   known.insert(known.end(), {"embree_default", "embree_robust"});
 #endif
+#ifdef PLUMBLINE_TEST_CGAL
+  known.insert(known.end(), {"cgal_cartesian_f64", "cgal_epick", "cgal_epeck"});
+#endif
+#ifdef PLUMBLINE_TEST_GTS
+  known.push_back("gts_segment_f64");
+#endif
   EXPECT_THAT(known, IsSubsetOf(names()));
 }
 
@@ -73,6 +79,14 @@ TEST(TracerList, ContractsOfTheOnesWeKnowAreAsDocumented) {
                              .coplanar = TouchRule::unspecified,
                              .degenerate = TouchRule::unspecified});
 #endif
+#ifdef PLUMBLINE_TEST_CGAL
+  for (const char* tracer : {"cgal_cartesian_f64", "cgal_epick", "cgal_epeck"})
+    expect_contract(tracer,
+                    {.range = RangeRule::ray, .coplanar = TouchRule::hit, .degenerate = TouchRule::unspecified});
+#endif
+#ifdef PLUMBLINE_TEST_GTS
+  expect_contract("gts_segment_f64", {.degenerate = TouchRule::unspecified});
+#endif
 }
 
 class EveryTracer : public testing::TestWithParam<std::string> {
@@ -88,14 +102,24 @@ TEST_P(EveryTracer, HitsTheMiddleFromEverySideThatIsNotCulled) {
     const Ray ray{.origin = {1, 1, 8 * side}, .direction = {0, 0, -2 * side}};
     const Answer answer = shoot(GetParam(), bag, ray);
     ASSERT_EQ(answer.outcome, Outcome::hit);
-    if (answer.has_t) {  // it counts in what was really asked
-      const Ray asked = tracer_named(GetParam()).prepare(bag)->asked(ray).ray;
-      EXPECT_NEAR(asked.origin.x + answer.t * asked.direction.x, 1, 0x1p-16);
-      EXPECT_NEAR(asked.origin.y + answer.t * asked.direction.y, 1, 0x1p-16);
-      EXPECT_NEAR(asked.origin.z + answer.t * asked.direction.z, 0, 0x1p-16);
+    if (answer.has_t) {  // in the query that it was really asked, whose direction may have another length
+      const Query query = tracer_named(GetParam()).prepare(bag)->asked(ray);
+      const auto at = [&](double origin, double direction, double tail) {
+        return origin + answer.t * (direction + tail);
+      };
+      const auto& [origin, direction, t_min, t_max] = query.ray;
+      EXPECT_NEAR(at(origin.x, direction.x, query.direction_tail.x), 1, 0x1p-16);
+      EXPECT_NEAR(at(origin.y, direction.y, query.direction_tail.y), 1, 0x1p-16);
+      EXPECT_NEAR(at(origin.z, direction.z, query.direction_tail.z), 0, 0x1p-15);
     }
     EXPECT_EQ(answer.triangle, 0u);
   }
+}
+
+TEST_P(EveryTracer, AsksTheRayItselfUnlessItSaysOtherwise) {
+  if (tracer_named(GetParam()).info().own_queries) GTEST_SKIP();
+  const Ray ray{.origin = {0.1, 0.2, 8}, .direction = {0.3, 0.1, -2}, .t_min = 0.5, .t_max = 4};
+  EXPECT_EQ(tracer_named(GetParam()).prepare({.triangles = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}})->asked(ray), Query(ray));
 }
 
 TEST_P(EveryTracer, AnswersABatchAsItAnswersEachRay) {

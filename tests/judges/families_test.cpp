@@ -12,7 +12,7 @@ class Families : public testing::TestWithParam<std::size_t> {};
 TEST_P(Families, BothJudgesAgree) {
   const auto family = static_cast<Family>(GetParam());
   const bool slow = family == Family::wide || family == Family::full_range;
-  const std::uint64_t count = slow ? 20000 : 80000;
+  const std::uint64_t count = slow ? 20000 : 60000;
   EXPECT_EQ(check_family(family, seed(), count, slow ? 20 : 4).cases, count);
 }
 

@@ -17,15 +17,16 @@ MAY_INCLUDE = {
 # parses stays at the border.
 ONLY_IN = {
     r"gmp(xx)?\.h": {"oracle", "analysis/bench/rivals"},
-    r"embree\d/.*": {"float_tracer/adapters"},
     r"c?glm/.*": {"float_tracer/adapters"},
     r"graphene.*\.h": {"float_tracer/adapters"},
     r"(BulletCollision|LinearMath)/.*": {"float_tracer/adapters"},
     r"ode/.*": {"float_tracer/adapters"},
+    r"(embree\d/.*|gts\.h|glib\.h)": {"float_tracer/adapters"},
     r"simdjson\.h": {"case"},
     r"nlohmann/.*": set(),
     r"CLI/.*": {"cli"},
-    r"(CGAL|boost)/.*": {"analysis/bench/rivals"},
+    r"CGAL/.*": {"float_tracer/adapters", "analysis/bench/rivals"},
+    r"boost/.*": {"analysis/bench/rivals"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
 
