@@ -1,8 +1,9 @@
 // The adapter to Embree: what it passes on, what it refuses, what it leaves alone.
 #include "float_tracer/adapters/embree.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 #ifdef __x86_64__
 #include <xmmintrin.h>
@@ -24,17 +25,57 @@ class Embree : public testing::TestWithParam<std::string> {
     return shoot(GetParam(), {.triangles = {triangle}}, ray).outcome;
   }
 };
-INSTANTIATE_TEST_SUITE_P(All, Embree, testing::Values("embree_default", "embree_robust"), parameter_name);
+std::vector<std::string> embrees() {
+  std::vector<std::string> names;
+  for (const auto& tracer : listed_tracers())
+    if (tracer->info().name.starts_with("embree_")) names.push_back(tracer->info().name);
+  return names;
+}
+INSTANTIATE_TEST_SUITE_P(All, Embree, testing::ValuesIn(embrees()), parameter_name);
 
 TEST_P(Embree, GivesTUVAndTheTriangle) {
   const Triangle far{{0, 0, -4}, {4, 0, -4}, {0, 4, -4}};
   const Answer answer = shoot(GetParam(), {.triangles = {far, flat}}, down);
   ASSERT_EQ(answer.outcome, Outcome::hit);
+  if (GetParam().ends_with("_occluded")) {
+    EXPECT_TRUE(!answer.has_t && !answer.has_uv && !answer.has_segment);
+    return;
+  }
   EXPECT_TRUE(answer.has_t && answer.has_uv && !answer.has_segment);
   EXPECT_EQ(answer.triangle, 1u);
   EXPECT_NEAR(answer.t, 4, 0x1p-20);
   EXPECT_NEAR(answer.u, 0.25, 0x1p-20);
   EXPECT_NEAR(answer.v, 0.5, 0x1p-20);
+}
+
+TEST(EmbreeList, HoldsWhatEveryProcessorOfThisKindHas) {
+  std::vector<std::string> always;
+  for (const std::string name : {"embree_default", "embree_robust"})
+    for (const char* suffix : {"", "_w4", "_w8", "_w16", "_occluded"}) always.push_back(name + suffix);
+#ifdef __x86_64__
+  always.insert(always.end(), {"embree_default_sse2", "embree_robust_sse2"});
+#endif
+  EXPECT_THAT(always, testing::IsSubsetOf(embrees()));
+}
+
+// Hits, misses and rays beyond the limits by turns, so that any lane is each once, in spans that fill no last packet.
+TEST_P(Embree, AnswersEachRayOfASpanInItsPlace) {
+  const auto prepared = tracer_named(GetParam()).prepare({.triangles = {flat}});
+  const std::array kinds = {down, Ray{.origin = {9, 2, 8}, .direction = {0, 0, -2}},
+                            Ray{.origin = {not_a_number, 2, 8}, .direction = {0, 0, -2}}};
+  constexpr std::array outcomes = {Outcome::hit, Outcome::miss, Outcome::fault};
+  for (std::size_t size = 0; size < 40; ++size) {
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < size; ++i) rays.push_back(kinds[i % 3]);
+    std::vector<Answer> answers(size, Answer{.outcome = Outcome::fault, .has_t = true, .t = 77});
+    prepared->trace(rays, answers);
+    for (std::size_t i = 0; i < size; ++i) {
+      EXPECT_EQ(answers[i].outcome, outcomes[i % 3]) << i << " of " << size;
+      if (answers[i].has_t) {
+        EXPECT_NEAR(answers[i].t, 4, 0x1p-20);
+      }
+    }
+  }
 }
 
 // Whether the flag gets there. How often the two differ depends on the instruction set.

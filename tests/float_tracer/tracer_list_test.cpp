@@ -71,7 +71,7 @@ TEST(TracerList, ContractsOfTheOnesWeKnowAreAsDocumented) {
         std::pair("brlcad_bot_classic_kernel", RangeRule::line)})
     expect_contract(tracer, {.range = range, .t_min = EndRule::unspecified});
 #ifdef PLUMBLINE_TEST_EMBREE
-  for (const char* tracer : {"embree_default", "embree_robust"})
+  for (const char* tracer : {"embree_default", "embree_robust", "embree_default_w8", "embree_robust_occluded"})
     expect_contract(tracer, {.precision = Precision::binary32,
                              .edges = EdgeRule::unspecified,
                              .t_min = EndRule::unspecified,
