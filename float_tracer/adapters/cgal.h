@@ -9,12 +9,13 @@
 // nearest. The mode of the bag is not read. A coordinate that is not finite, a zero direction, or a second point that
 // is rounded to the first is Outcome::fault.
 //
-// Oddities:
+// Oddities (corpus/adapters/cgal.case):
 // - Ray_3(point, vector) keeps two points: where the numbers are doubles, the second is origin + direction, rounded,
 //   and that line is what is asked. A short direction at a far origin vanishes altogether. With EPECK it is exact.
-// - The side on which the ray leaves the plane is the sign of orientation(a, b, c, a + (second - first)), so that
-//   Simple_cartesian<double> rounds twice before its determinants do: it calls rays coplanar, and hits, that are not.
-// - Simple_cartesian<double> has neither under- nor overflow in mind: tiny triangles are degenerate to it, and missed.
+// - The side on which the ray leaves the plane is the sign of orientation(a, b, c, a + (second - first)): with plain
+//   doubles a far triangle swallows the direction, which then counts as parallel.
+// - With plain doubles a determinant that underflows is zero, and zero means coplanar: triangles of 2^-400 are hit by
+//   rays that point away from them; smaller ones are degenerate, and missed.
 #pragma once
 #include <memory>
 #include <vector>
