@@ -230,7 +230,7 @@ class EmbreeTracer final : public Tracer {
  public:
   EmbreeTracer(bool robust, const Way& way)
       : Tracer({.name = (robust ? "embree_robust" : "embree_default") + way.suffix,
-                .summary = (robust ? "Embree 3 with its robust scene flag" : "Embree 3 with its default scene flags") +
+                .summary = std::string("Embree 3 with its ") + (robust ? "robust scene flag" : "default scene flags") +
                            way.summary,
                 .source = way.source,
                 .package = "libembree-dev " RTC_VERSION_STRING,

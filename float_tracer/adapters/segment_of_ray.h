@@ -1,10 +1,10 @@
 // The segment that stands for a ray where a library takes two end points: rounded as its users would round it, and so
 // with a query of its own.
 //
-// Its ends are origin + t_min * direction and origin + t_max * direction, each product and each sum rounded to binary64.
-// An infinite bound is replaced by +-2^k with the integer k so that 2^k * (largest |component| of the direction) lies
-// between 4 and 16 times the largest |coordinate| of origin and bag: within the bag no point of the ray is further from
-// the origin than twice that, so the segment surely passes the bag, rounded or not.
+// Its ends are origin + t_min * direction and origin + t_max * direction, each product and each sum rounded to
+// binary64. An infinite bound is replaced by +-2^k with the integer k so that 2^k * (largest |component| of the
+// direction) lies between 4 and 16 times the largest |coordinate| of origin and bag: within the bag no point of the
+// ray is further from the origin than twice that, so the segment surely passes the bag, rounded or not.
 #pragma once
 #include <algorithm>
 #include <cmath>

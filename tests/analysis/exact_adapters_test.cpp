@@ -1,5 +1,5 @@
-// Libraries that decide exactly, each judged by what it was really asked: they share no line with the oracle, and agree
-// with it on all families, in numbers of binary32 and binary64 by turns. More cases: PLUMBLINE_CASES of each family.
+// Libraries that decide exactly, each judged by what it was really asked: they share no line with the oracle, and
+// agree with it on all families, in numbers of binary32 and binary64 by turns. PLUMBLINE_CASES: how many of each.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -18,7 +18,8 @@ class Cgal : public testing::TestWithParam<std::string> {
   }
   Query asked(const Ray& ray) { return tracer_named(GetParam()).prepare({.triangles = {flat}})->asked(ray); }
 };
-INSTANTIATE_TEST_SUITE_P(All, Cgal, testing::Values("cgal_cartesian_f64", "cgal_epick", "cgal_epeck"), parameter_name);
+INSTANTIATE_TEST_SUITE_P(All, Cgal, testing::Values("cgal_cartesian_f64", "cgal_epick", "cgal_epeck"),
+                         parameter_name);
 
 TEST_P(Cgal, SaysWhichTriangleAndNoMore) {
   const Triangle beside{{5, 5, 0}, {9, 5, 0}, {5, 9, 0}}, point{};
@@ -42,7 +43,8 @@ TEST_P(Cgal, HitsInThePlane) {
 }
 
 TEST_P(Cgal, ReadsNoBounds) {
-  EXPECT_EQ(outcome(flat, {.origin = down.origin, .direction = down.direction, .t_min = 5, .t_max = 3}), Outcome::hit);
+  const Ray none{.origin = down.origin, .direction = down.direction, .t_min = 5, .t_max = 3};
+  EXPECT_EQ(outcome(flat, none), Outcome::hit);
   EXPECT_EQ(outcome(flat, {.origin = {1, 2, -8}, .direction = down.direction, .t_min = -infinity}), Outcome::miss);
 }
 

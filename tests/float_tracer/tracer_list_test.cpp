@@ -119,7 +119,8 @@ TEST_P(EveryTracer, HitsTheMiddleFromEverySideThatIsNotCulled) {
 TEST_P(EveryTracer, AsksTheRayItselfUnlessItSaysOtherwise) {
   if (tracer_named(GetParam()).info().own_queries) GTEST_SKIP();
   const Ray ray{.origin = {0.1, 0.2, 8}, .direction = {0.3, 0.1, -2}, .t_min = 0.5, .t_max = 4};
-  EXPECT_EQ(tracer_named(GetParam()).prepare({.triangles = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}})->asked(ray), Query(ray));
+  const Bag bag{.triangles = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}};
+  EXPECT_EQ(tracer_named(GetParam()).prepare(bag)->asked(ray), Query(ray));
 }
 
 TEST_P(EveryTracer, AnswersABatchAsItAnswersEachRay) {
