@@ -10,7 +10,7 @@ Query PreparedBag::asked(const Ray& ray) { return ray; }
 void PreparedBag::trace(std::span<const Ray> rays, std::span<Answer> answers) {
   const FloatEnvironment before;
   answer(rays, answers);
-  if (before.restore()) disturbed_ = true;
+  if (before.restore()) conduct_.disturbed = true;
 }
 
 }  // namespace plumbline

@@ -8,6 +8,7 @@
 #include "case/case.h"
 #include "case/contract.h"
 #include "case/query.h"
+#include "float_tracer/conduct.h"
 
 namespace plumbline {
 
@@ -25,18 +26,22 @@ class PreparedBag {
   virtual Query asked(const Ray& ray);
 
   /// Whether a call of trace, up to now, left the floating-point controls changed.
-  bool disturbed() const { return disturbed_; }
+  bool disturbed() const { return conduct_.disturbed; }
+
+  /// That, and what it died of, up to now.
+  const Conduct& conduct() const { return conduct_; }
+
+ protected:
+  Conduct conduct_;
 
  private:
   virtual void answer(std::span<const Ray> rays, std::span<Answer> answers) = 0;
-
-  bool disturbed_ = false;
 };
 
 /// Where the code under test runs.
 enum class Isolation : unsigned char {
   none,     ///< in this process
-  process,  ///< in a child: it may abort, hang or print
+  process,  ///< in a child, by isolated.h: it may abort, hang or print
 };
 
 struct TracerInfo {

@@ -3,6 +3,7 @@
 #include "float_tracer/adapters/adapter_list.h"
 #include "float_tracer/brlcad/bot_classic.h"
 #include "float_tracer/brlcad/bot_hlbvh.h"
+#include "float_tracer/isolated.h"
 #include "float_tracer/kernel_list.h"
 #include "float_tracer/kernel_tracer.h"
 #include "float_tracer/variants/variants.h"
@@ -20,7 +21,9 @@ std::vector<std::unique_ptr<Tracer>> float_tracers() {
   list.push_back(brlcad_bot_hlbvh());
   for (const Adapter& adapter : adapters())
     if (adapter.make)
-      for (auto& tracer : adapter.make()) list.push_back(std::move(tracer));
+      for (auto& tracer : adapter.make())
+        list.push_back(tracer->info().isolation == Isolation::process ? isolated(std::move(tracer))
+                                                                      : std::move(tracer));
   return list;
 }
 

@@ -1,0 +1,23 @@
+// What a tracer does beside answering: what it died of, and what it left behind.
+#pragma once
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace plumbline {
+
+struct Conduct {
+  bool disturbed = false;  ///< it left the floating-point controls changed
+  /// The rays that a tracer in a child process died of, each Outcome::fault, by the cause: "SIGABRT", "exit code 0",
+  /// "no answer within 10 s".
+  std::map<std::string, std::uint64_t> deaths;
+
+  Conduct& operator+=(const Conduct& more);
+  friend bool operator==(const Conduct&, const Conduct&) = default;
+};
+
+/// What there is to tell people of it: a line for the deaths, one for the controls. Empty if there is nothing.
+std::string complaints(std::string_view tracer, const Conduct& conduct);
+
+}  // namespace plumbline
