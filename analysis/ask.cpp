@@ -19,7 +19,7 @@ Reply ask(const Tracer& tracer, const Case& asked) {
   Reply reply;
   bag->trace({&put.ray, 1}, {&reply.answer, 1});
   reply.query = bag->asked(put.ray);
-  reply.disturbed = bag->disturbed();
+  reply.conduct = bag->conduct();
   return reply;
 }
 
@@ -29,7 +29,7 @@ Judgement judge(const Case& asked, const Answer& answer, const Contract& contrac
 
 Judgement judge(const Case& asked, const Reply& reply, const Contract& contract) {
   const Triangle triangle = at_precision(asked.bag.triangles.front(), contract.precision);
-  const auto& [query, answer, disturbed] = reply;
+  const auto& [query, answer, conduct] = reply;
   const Query searched = searched_ray(query, contract);
   Judgement judgement{.truth = classify(triangle, searched), .hit = {}, .severity = {}};
   judgement.hit = hit(triangle, searched, judgement.truth);

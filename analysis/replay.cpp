@@ -61,7 +61,9 @@ std::vector<std::string> differences(const Case& asked) {
 
 class Replay {
  public:
-  explicit Replay(const std::vector<const Tracer*>& tracers) : tracers_(tracers) {}
+  explicit Replay(const std::vector<const Tracer*>& tracers) : tracers_(tracers) {
+    summary_.conduct.resize(tracers.size());
+  }
 
   void run(const std::string& file) {
     const auto cases = read_cases(file);
@@ -83,9 +85,9 @@ class Replay {
     };
     if (asked.expect)
       for (std::string& difference : differences(asked)) add_event(std::move(difference));
-    for (const Tracer* tracer : tracers_) {
-      const std::string message = verdict_on(*tracer, asked);
-      if (!message.empty()) add_event(fmt::format("{}: {}", tracer->info().name, message));
+    for (std::size_t i = 0; i < tracers_.size(); ++i) {
+      const std::string message = verdict_on(i, asked);
+      if (!message.empty()) add_event(fmt::format("{}: {}", tracers_[i]->info().name, message));
     }
     for (const Known& known : asked.known) {
       const Tracer* const tracer = tracer_named(known.tracer);
@@ -98,9 +100,12 @@ class Replay {
   }
 
   // What there is to tell; empty if all is as the file says.
-  std::string verdict_on(const Tracer& tracer, const Case& asked) {
+  std::string verdict_on(std::size_t index, const Case& asked) {
+    const Tracer& tracer = *tracers_[index];
     ++summary_.answers;
-    const Judgement judgement = judge(asked, ask(tracer, asked), tracer.info().contract);
+    const Reply reply = ask(tracer, asked);
+    summary_.conduct[index] += reply.conduct;
+    const Judgement judgement = judge(asked, reply, tracer.info().contract);
     const auto known = std::ranges::find(asked.known, tracer.info().name, &Known::tracer);
     if (known != asked.known.end()) {
       if (judgement.verdict == known->kind) {

@@ -23,6 +23,7 @@ struct ReplaySummary {
   std::size_t skipped_known = 0;                       ///< `known` lines of tracers that were not asked
   std::map<std::string, std::size_t> unknown_tracers;  ///< names of no tracer of this build, and their `known` lines
   std::vector<ReplayEvent> events;
+  std::vector<Conduct> conduct;  ///< of each tracer
 };
 
 /// `paths` are files and folders; folders are searched, at any depth, for *.case. Throws InputError where there is

@@ -76,7 +76,8 @@ class Worker {
         searched_(rays_.size()),
         truths_(rays_.size()),
         answers_(rays_.size()),
-        tallies_(plan.tracers.size() * plan.lattices.size() * layout.rows_per_lattice()) {
+        tallies_(plan.tracers.size() * plan.lattices.size() * layout.rows_per_lattice()),
+        conduct_(plan.tracers.size()) {
     bag_.triangles.resize(1);
   }
 
@@ -88,6 +89,7 @@ class Worker {
   }
 
   const std::vector<Tally>& tallies() const { return tallies_; }
+  const std::vector<Conduct>& conduct() const { return conduct_; }
   std::uint64_t triangles() const { return triangles_; }
 
  private:
@@ -124,6 +126,7 @@ class Worker {
       count(tallies[layout_.row_of_shot[i]], layout_.shots[i].wish, right_answer(triangle, query, truth, info.contract),
             answers_[i].outcome, judge(triangle, query, truth, answers_[i], info.contract));
     }
+    conduct_[tracer] += prepared->conduct();
   }
 
   const SweepPlan& plan_;
@@ -135,6 +138,7 @@ class Worker {
   std::vector<Truth> truths_;
   std::vector<Answer> answers_;
   std::vector<Tally> tallies_;  // by tracer, lattice, row
+  std::vector<Conduct> conduct_;  // by tracer
   std::uint64_t triangles_ = 0;
 };
 
@@ -191,8 +195,10 @@ SweepResult sweep(const SweepPlan& plan, const std::atomic<bool>& stop, const Sw
         const Aim& aim = layout.shots[start];
         result.rows.push_back({tracer, offset_of(lattice), aim.standoff, aim.target, aim.tolerance, {}});
       }
+  result.conduct.resize(plan.tracers.size());
   for (auto& future : workers) {
     const Worker worker = future.get();
+    for (std::size_t i = 0; i < plan.tracers.size(); ++i) result.conduct[i] += worker.conduct()[i];
     result.triangles += worker.triangles();
     for (std::size_t i = 0; i < result.rows.size(); ++i) result.rows[i].tally += worker.tallies()[i];
   }

@@ -37,6 +37,7 @@ struct SweepRow {
 struct SweepResult {
   std::vector<SweepRow> rows;   ///< by tracer, lattice, standoff, then interior, vertex_edge, each tolerance
   TripleRange done;             ///< shorter than planned on interruption; the sweep can then be taken up at its end
+  std::vector<Conduct> conduct;  ///< of each tracer of the plan
   std::uint64_t triangles = 0;  ///< those of the triples done that are not collinear
 };
 

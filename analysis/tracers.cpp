@@ -6,6 +6,7 @@
 
 #include "case/input_error.h"
 #include "case/nearest_name.h"
+#include "float_tracer/adapters/adapter_list.h"
 #include "float_tracer/tracer_list.h"
 #include "oracle/classify.h"
 #include "oracle/measure.h"
@@ -93,6 +94,9 @@ const Tracer* tracer_named(std::string_view name) {
 }
 
 std::string suggest_tracer(std::string_view name) {
+  for (const Adapter& adapter : adapters())
+    if (!adapter.make && std::ranges::find(adapter.tracers, name) != adapter.tracers.end())
+      return fmt::format("it needs {}: run cmake/install-dependencies tracers, and build again", adapter.package);
   std::vector<std::string_view> names;
   for (const auto& tracer : all_tracers()) names.push_back(tracer->info().name);
   return suggest(name, names);

@@ -21,7 +21,8 @@ std::vector<const Tracer*> find_tracers(const std::vector<std::string>& names);
 /// Null if this build has none of that name.
 const Tracer* tracer_named(std::string_view name);
 
-/// What to tell of a name that this build has not: "did you mean 'exact'?", or the names that it has.
+/// What to tell of a name that this build has not: the package that it needs, "did you mean 'exact'?", or the names
+/// that it has.
 std::string suggest_tracer(std::string_view name);
 
 /// Throws InputError with that suggestion.

@@ -69,6 +69,7 @@ std::string text_of(const Case& asked, const Tracer* tracer) {
         fmt::format("case '{}' has {} triangles; a verdict is on one", asked.id, put.bag.triangles.size()));
   text += fmt::format("\ntracer     {}\n", tracer->info().name);
   const Reply reply = ask(*tracer, put);
+  fmt::print(stderr, "{}", complaints(tracer->info().name, reply.conduct));
   if (tracer->info().own_queries) text += "\nThe tracer is asked this instead:\n" + explain(put.bag.triangles.front(), reply.query);
   return text + explain_verdict(put.bag.triangles.front(), reply.query, reply.answer, tracer->info().contract);
 }

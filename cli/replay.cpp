@@ -16,7 +16,8 @@ struct Options {
 };
 
 bool run(const Options& options) {
-  const ReplaySummary summary = replay(options.paths, find_tracers(options.tracers));
+  const auto tracers = find_tracers(options.tracers);
+  const ReplaySummary summary = replay(options.paths, tracers);
   Output output;
   for (const ReplayEvent& event : summary.events)
     output.write(fmt::format("{}: {}: {}\n", event.file, event.id, event.message));
@@ -28,6 +29,8 @@ bool run(const Options& options) {
   for (const auto& [tracer, lines] : summary.unknown_tracers)
     fmt::print(stderr, "warning: {} known findings of '{}', which is unknown to this build; {}\n", lines, tracer,
                suggest_tracer(tracer));
+  for (std::size_t i = 0; i < tracers.size(); ++i)
+    fmt::print(stderr, "{}", complaints(tracers[i]->info().name, summary.conduct[i]));
   return !summary.events.empty();
 }
 

@@ -134,6 +134,8 @@ void run_sweep(const SweepOptions& options) {
   table.write(options.json ? to_json_lines(result) : to_terminal(result));
   table.finish();
   for (Output& output : outputs) output.finish();
+  for (std::size_t i = 0; i < plan.tracers.size(); ++i)
+    fmt::print(stderr, "{}", complaints(plan.tracers[i]->info().name, result.conduct[i]));
   if (partial)
     throw std::runtime_error(
         fmt::format("interrupted: this is of the triples [{}, {}) only, and no file is written; take it "

@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+
 #include "analysis/ask.h"
 #include "analysis/tracers.h"
 #include "cli/stream.h"
@@ -34,14 +38,18 @@ void add_trace(CLI::App& app) {
                "  plumbline trace --tracer moller_trumbore_f64 --merged rays.ndjson | plumbline judge -");
   verb->callback([options] {
     const Tracer& tracer = find_tracer(options->tracer);
+    Conduct conduct;
     answer_lines(options->stream, [&](const CaseLines&, const CaseLine& line, std::string& out) {
       JsonObject object(out);
       object.member("id") += line.id;
       if (options->merged) add_members(object, line.asked);
       object.text("tracer", tracer.info().name);
-      add_members(object, ask(tracer, line.asked).answer);
+      const Reply reply = ask(tracer, line.asked);
+      conduct += reply.conduct;
+      add_members(object, reply.answer);
       object.end_line();
     });
+    fmt::print(stderr, "{}", complaints(tracer.info().name, conduct));
   });
 }
 

@@ -318,11 +318,29 @@ class Explain(CliTest):
 
 class Tracers(CliTest):
     def test_table_and_json(self):
-        names = [json.loads(line)["tracer"] for line in run("tracers", "--json").stdout.splitlines()]
-        self.assertEqual(names[-1], "exact")
-        table = run("tracers").stdout
-        for name in names:
-            self.assertIn(name, table)
+        tracers = [json.loads(line) for line in run("tracers", "--json").stdout.splitlines()]
+        present = [tracer for tracer in tracers if tracer["present"]]
+        absent = [tracer for tracer in tracers if not tracer["present"]]
+        self.assertEqual(present + absent, tracers)
+        exact = present[-1]
+        self.assertEqual((exact["tracer"], exact["package"], exact["isolation"], exact["own_queries"]),
+                         ("exact", None, "in-process", False))
+        for tracer in present:
+            self.assertIn(tracer["isolation"], ("in-process", "child"))
+            self.assertIs(type(tracer["own_queries"]), bool)
+            self.assertEqual(len(tracer), len(exact))
+        for tracer in absent:
+            self.assertIn("cmake/install-dependencies tracers", tracer["summary"])
+            self.assert_trouble(run("trace", "--tracer", tracer["tracer"], "-"), "it needs " + tracer["package"])
+        rows = run("tracers").stdout.splitlines()[2:]
+        self.assertEqual([row.split()[0] for row in rows], [tracer["tracer"] for tracer in tracers])
+
+    def test_embree_is_present_or_named_with_its_package(self):
+        tracers = [json.loads(line) for line in run("tracers", "--json").stdout.splitlines()]
+        embree = [tracer for tracer in tracers if tracer["tracer"].startswith("embree_")]
+        self.assertEqual([tracer["tracer"] for tracer in embree], ["embree_default", "embree_robust"])
+        for tracer in embree:
+            self.assertRegex(tracer["package"], r"\Alibembree-dev\b")
 
 
 class Everywhere(CliTest):
