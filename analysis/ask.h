@@ -18,7 +18,7 @@ Case put_at(Case asked, Precision precision);
 struct Reply {
   Query query;  ///< what the tracer was really asked
   Answer answer;
-  Conduct conduct;  ///< what it did beside (the floating-point controls are as before)
+  Conduct conduct = {};  ///< what it did beside (the floating-point controls are as before)
 };
 
 /// What the tracer says of the case, put at its precision.

@@ -1,0 +1,21 @@
+// VTK (libvtk9-dev): vtkTriangle::IntersectWithLine, and the same method of three locators, which search a mesh of
+// the bag's triangles. Half a gigabyte to install, so built only with the option PLUMBLINE_VTK.
+//
+// A query is a segment; segment_probe.h says which. Of a cell the documentation says that t lies between 0 and 1 and
+// that the test of the triangle "is performed using tol as the tolerance"; of edges, the segment's ends, segments in
+// the plane and triangles without area it says nothing: all unspecified. The tolerance is a length, 0 unless the name
+// says otherwise. A coordinate that is not finite, or a ray without a segment, is Outcome::fault. VTK's warnings are
+// switched off, for the process: vtkOBBTree prints them of small triangles. The mode of the bag is not read: every
+// triangle counts as a surface.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "float_tracer/tracer.h"
+
+namespace plumbline {
+
+/// vtk_triangle, vtk_triangle_tolerant (1e-6), vtk_obb_tree, vtk_cell_locator and vtk_static_cell_locator.
+std::vector<std::unique_ptr<Tracer>> vtk_tracers();
+
+}  // namespace plumbline
