@@ -7,6 +7,15 @@
 // says otherwise. A coordinate that is not finite, or a ray without a segment, is Outcome::fault. VTK's warnings are
 // switched off, for the process: vtkOBBTree prints them of small triangles. The mode of the bag is not read: every
 // triangle counts as a surface.
+//
+// Oddities, in 9.1:
+// - The tolerance is an absolute length: a triangle smaller than it is hit from far beside it.
+// - A segment in the plane of the triangle is a hit where it passes inside, and where the vertices are collinear, so
+//   is one that meets them.
+// - Where products of coordinates overflow (coordinates from about 1e77), everything misses. Of a tiny bag (1e-100)
+//   vtkCellLocator alone finds nothing.
+// - vtkOBBTree's other IntersectWithLine, for all crossings, asks for a closed surface and works with its own
+//   tolerance, 0.01 unless set; it is not the one asked here, which takes its tolerance as an argument.
 #pragma once
 #include <memory>
 #include <vector>
