@@ -21,7 +21,7 @@ struct ReplaySummary {
   std::size_t known = 0;                               ///< answers that are wrong as the files say
   std::size_t faults = 0;                              ///< answers that were none, unlisted: no disagreement
   std::size_t skipped_known = 0;                       ///< `known` lines of tracers that were not asked
-  std::map<std::string, std::size_t> unknown_tracers;  ///< names of no tracer of this build, and their `known` lines
+  std::map<std::string, std::size_t> unknown_tracers;  ///< names of no tracer, not even an absent one, and their lines
   std::vector<ReplayEvent> events;
   std::vector<Conduct> conduct;  ///< of each tracer
 };
