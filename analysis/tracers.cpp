@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "case/input_error.h"
 #include "case/nearest_name.h"
 #include "float_tracer/adapters/adapter_list.h"
+#include "float_tracer/plugin.h"
 #include "float_tracer/tracer_list.h"
 #include "oracle/classify.h"
 #include "oracle/measure.h"
@@ -51,6 +53,27 @@ class ExactTracer final : public Tracer {
   std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override { return std::make_unique<PreparedExact>(bag); }
 };
 
+// By what they were asked for.
+std::map<std::string, std::unique_ptr<Tracer>, std::less<>>& foreign_tracers() {
+  static std::map<std::string, std::unique_ptr<Tracer>, std::less<>> tracers;
+  return tracers;
+}
+
+// The one place where foreign tracers are made, and where those of Isolation::process get their process.
+std::unique_ptr<Tracer> make_foreign(const std::string& name) { return load_plugin(name); }
+
+const Tracer& find_foreign(std::string_view name) {
+  auto& known = foreign_tracers();
+  if (const auto it = known.find(name); it != known.end()) return *it->second;
+  const std::string asked_for(name);
+  auto made = make_foreign(asked_for);
+  const std::string& own_name = made->info().name;
+  if (tracer_named(own_name))
+    throw InputError(
+        fmt::format("{}: calls itself '{}', as another tracer here does; give it a name of its own", name, own_name));
+  return *known.emplace(asked_for, std::move(made)).first->second;
+}
+
 }  // namespace
 
 const std::vector<std::unique_ptr<Tracer>>& all_tracers() {
@@ -90,6 +113,8 @@ std::vector<const Tracer*> find_tracers(const std::vector<std::string>& names) {
 const Tracer* tracer_named(std::string_view name) {
   for (const auto& tracer : all_tracers())
     if (tracer->info().name == name) return tracer.get();
+  for (const auto& [asked_for, tracer] : foreign_tracers())
+    if (tracer->info().name == name) return tracer.get();
   return nullptr;
 }
 
@@ -103,6 +128,7 @@ std::string suggest_tracer(std::string_view name) {
 }
 
 const Tracer& find_tracer(std::string_view name) {
+  if (names_plugin(name)) return find_foreign(name);
   if (const Tracer* tracer = tracer_named(name)) return *tracer;
   throw InputError(fmt::format("unknown tracer '{}'; {}", name, suggest_tracer(name)));
 }

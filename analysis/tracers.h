@@ -1,4 +1,5 @@
-// Every tracer of this build: the floating-point ones and the control tracer `exact`, which is the oracle itself.
+// Every tracer of this build: the floating-point ones and the control tracer `exact`, which is the oracle itself. And
+// the foreign ones that somebody names: a shared library by its path.
 #pragma once
 #include <memory>
 #include <string>
@@ -9,7 +10,7 @@
 
 namespace plumbline {
 
-/// In table order; `exact` is the last.
+/// Those of this build in table order; `exact` is the last.
 const std::vector<std::unique_ptr<Tracer>>& all_tracers();
 
 /// Whom a verb asks that is not told: the textbook kernels as written, BRL-CAD's rules, Embree and `exact`.
@@ -18,14 +19,16 @@ std::vector<const Tracer*> standard_tracers();
 /// By their names, of which "all" stands for all; standard_tracers() for none. Throws as find_tracer.
 std::vector<const Tracer*> find_tracers(const std::vector<std::string>& names);
 
-/// Null if this build has none of that name.
+/// Null if neither this build has one of that name, nor a foreign one found so far calls itself so.
 const Tracer* tracer_named(std::string_view name);
 
 /// What to tell of a name that this build has not: the package that it needs, "did you mean 'exact'?", or the names
 /// that it has.
 std::string suggest_tracer(std::string_view name);
 
-/// Throws InputError with that suggestion.
+/// What --tracer means. A name with a '/' or ending in .so is loaded when it is first asked for, and kept (see
+/// float_tracer/plugin.h). Throws InputError: with that suggestion; where a foreign tracer can't be had; where it
+/// calls itself as another does. Not thread-safe.
 const Tracer& find_tracer(std::string_view name);
 
 }  // namespace plumbline

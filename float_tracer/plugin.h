@@ -1,0 +1,23 @@
+// Tracers from shared libraries: whoever implements plumbline_tracer.h is under test like the tracers of this build.
+//
+// What the library says is checked, not believed: a batch of which it answers fewer or more rays than asked, writes
+// beyond the answers, or leaves one unset, is Outcome::fault, all of it; so is an answer with an unknown outcome or a
+// triangle that isn't there; an impossible `asked` is not used. Each is told on standard error. The mode of the bag
+// is not read: every triangle counts as a surface. The library is never unloaded: code of it may still run at exit.
+#pragma once
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "float_tracer/tracer.h"
+
+namespace plumbline {
+
+/// Whether the name is that of a library's file: it holds a '/' or ends in .so.
+bool names_plugin(std::string_view name);
+
+/// Throws InputError that names the file, the place and the fix: not there, no library, not of this interface or
+/// version, a function missing, a description without sense.
+std::unique_ptr<Tracer> load_plugin(const std::string& path);
+
+}  // namespace plumbline
