@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "analysis/ask.h"
+#include "analysis/case_files.h"
 #include "analysis/tracers.h"
 #include "case/case_text.h"
 #include "case/input_error.h"
@@ -17,18 +17,6 @@
 
 namespace plumbline {
 namespace {
-
-namespace fs = std::filesystem;
-
-std::vector<std::string> files_of(const std::string& path) {
-  if (!fs::is_directory(path)) return {path};
-  std::vector<std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(path))
-    if (entry.path().extension() == ".case" && !entry.is_directory()) files.push_back(entry.path().string());
-  if (files.empty()) throw InputError(fmt::format("{}: no *.case file in this folder", path));
-  std::ranges::sort(files);
-  return files;
-}
 
 std::string_view word(std::optional<bool> hit) { return !hit ? "open" : *hit ? "hit" : "miss"; }
 
@@ -141,7 +129,7 @@ class Replay {
 ReplaySummary replay(const std::vector<std::string>& paths, const std::vector<const Tracer*>& tracers) {
   Replay run(tracers);
   for (const std::string& path : paths)
-    for (const std::string& file : files_of(path)) run.run(file);
+    for (const std::string& file : case_files(path)) run.run(file);
   return run.take();
 }
 

@@ -8,6 +8,7 @@
 #include "case/input_error.h"
 #include "case/nearest_name.h"
 #include "float_tracer/adapters/adapter_list.h"
+#include "float_tracer/pipe_tracer.h"
 #include "float_tracer/plugin.h"
 #include "float_tracer/tracer_list.h"
 #include "oracle/classify.h"
@@ -60,13 +61,16 @@ std::map<std::string, std::unique_ptr<Tracer>, std::less<>>& foreign_tracers() {
 }
 
 // The one place where foreign tracers are made, and where those of Isolation::process get their process.
-std::unique_ptr<Tracer> make_foreign(const std::string& name) { return load_plugin(name); }
+std::unique_ptr<Tracer> make_foreign(const std::string& name, const ForeignOptions& options) {
+  if (names_pipe(name)) return pipe_tracer(name, options.timeout);
+  return load_plugin(name);
+}
 
-const Tracer& find_foreign(std::string_view name) {
+const Tracer& find_foreign(std::string_view name, const ForeignOptions& options) {
   auto& known = foreign_tracers();
   if (const auto it = known.find(name); it != known.end()) return *it->second;
   const std::string asked_for(name);
-  auto made = make_foreign(asked_for);
+  auto made = make_foreign(asked_for, options);
   const std::string& own_name = made->info().name;
   if (tracer_named(own_name))
     throw InputError(
@@ -97,19 +101,6 @@ std::vector<const Tracer*> standard_tracers() {
   return list;
 }
 
-std::vector<const Tracer*> find_tracers(const std::vector<std::string>& names) {
-  if (names.empty()) return standard_tracers();
-  std::vector<const Tracer*> list;
-  for (const std::string& name : names) {
-    if (name != "all") {
-      list.push_back(&find_tracer(name));
-      continue;
-    }
-    for (const auto& tracer : all_tracers()) list.push_back(tracer.get());
-  }
-  return list;
-}
-
 const Tracer* tracer_named(std::string_view name) {
   for (const auto& tracer : all_tracers())
     if (tracer->info().name == name) return tracer.get();
@@ -127,10 +118,23 @@ std::string suggest_tracer(std::string_view name) {
   return suggest(name, names);
 }
 
-const Tracer& find_tracer(std::string_view name) {
-  if (names_plugin(name)) return find_foreign(name);
+const Tracer& find_tracer(std::string_view name, const ForeignOptions& options) {
+  if (names_pipe(name) || names_plugin(name)) return find_foreign(name, options);
   if (const Tracer* tracer = tracer_named(name)) return *tracer;
   throw InputError(fmt::format("unknown tracer '{}'; {}", name, suggest_tracer(name)));
+}
+
+std::vector<const Tracer*> find_tracers(const std::vector<std::string>& names, const ForeignOptions& options) {
+  if (names.empty()) return standard_tracers();
+  std::vector<const Tracer*> list;
+  for (const std::string& name : names) {
+    if (name != "all") {
+      list.push_back(&find_tracer(name, options));
+      continue;
+    }
+    for (const auto& tracer : all_tracers()) list.push_back(tracer.get());
+  }
+  return list;
 }
 
 }  // namespace plumbline

@@ -1,5 +1,5 @@
 // Every tracer of this build: the floating-point ones and the control tracer `exact`, which is the oracle itself. And
-// the foreign ones that somebody names: a shared library by its path.
+// the foreign ones that somebody names: a shared library by its path, a program by pipe:COMMAND.
 #pragma once
 #include <memory>
 #include <string>
@@ -16,9 +16,6 @@ const std::vector<std::unique_ptr<Tracer>>& all_tracers();
 /// Whom a verb asks that is not told: the textbook kernels as written, BRL-CAD's rules, Embree and `exact`.
 std::vector<const Tracer*> standard_tracers();
 
-/// By their names, of which "all" stands for all; standard_tracers() for none. Throws as find_tracer.
-std::vector<const Tracer*> find_tracers(const std::vector<std::string>& names);
-
 /// Null if neither this build has one of that name, nor a foreign one found so far calls itself so.
 const Tracer* tracer_named(std::string_view name);
 
@@ -26,9 +23,17 @@ const Tracer* tracer_named(std::string_view name);
 /// that it has.
 std::string suggest_tracer(std::string_view name);
 
-/// What --tracer means. A name with a '/' or ending in .so is loaded when it is first asked for, and kept (see
-/// float_tracer/plugin.h). Throws InputError: with that suggestion; where a foreign tracer can't be had; where it
-/// calls itself as another does. Not thread-safe.
-const Tracer& find_tracer(std::string_view name);
+struct ForeignOptions {
+  double timeout = 10;  ///< seconds that a program may take for a batch of cases
+};
+
+/// What --tracer means: the name of one of this build; pipe:COMMAND or pipe32:COMMAND, a program (see
+/// float_tracer/pipe_tracer.h); a name with a '/' or ending in .so, a library (float_tracer/plugin.h). The last two
+/// are made when first asked for, and kept. Throws InputError: with that suggestion; where a foreign tracer can't be
+/// had; where it calls itself as another does. Not thread-safe.
+const Tracer& find_tracer(std::string_view name, const ForeignOptions& options = {});
+
+/// By their names, of which "all" stands for all of this build; standard_tracers() for none. Throws as find_tracer.
+std::vector<const Tracer*> find_tracers(const std::vector<std::string>& names, const ForeignOptions& options = {});
 
 }  // namespace plumbline

@@ -97,26 +97,25 @@ void append_triangle(std::string& out, const Triangle& t) {
   append_array(out, std::array{t.a, t.b, t.c}, append_vector);
 }
 
-}  // namespace
-
-class CaseLines::Impl {
+// Reads one line after another; the lines' memory is the caller's, with the padding behind each.
+class LineReader {
  public:
-  explicit Impl(const std::string& path) : file_(path) {}
+  explicit LineReader(std::string name) : name_(std::move(name)) {}
 
-  bool next(CaseLine& into) {
-    do {
-      if (!file_.next_line(text_)) return false;
-      if (file_.line_number() == 1 && text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
-    } while (trimmed(text_).empty());
-    read(into);
-    return true;
+  void read_case(std::string_view text, std::size_t line_number, CaseLine& into) {
+    read(text, line_number, into);
+    check_question(into.asked);
+    if (is_answered()) into.answer = answer();
   }
 
-  bool ready() { return file_.line_ready(); }
+  void read_answer(std::string_view text, std::size_t line_number, CaseLine& into) {
+    read(text, line_number, into);
+    into.answer = answer();
+  }
 
   [[noreturn]] void fail_at(const char* where, std::string_view message) const {
     const auto column = static_cast<std::size_t>(where - text_.data()) + 1;
-    plumbline::fail({file_.name(), file_.line_number(), std::min(column, text_.size() + 1)}, message);
+    plumbline::fail({name_, line_number_, std::min(column, text_.size() + 1)}, message);
   }
   [[noreturn]] void fail_at_start(std::string_view message) const { fail_at(text_.data(), message); }
 
@@ -129,7 +128,9 @@ class CaseLines::Impl {
     std::uint32_t triangle = 0;
   };
 
-  void read(CaseLine& into) {
+  void read(std::string_view text, std::size_t line_number, CaseLine& into) {
+    text_ = text;
+    line_number_ = line_number;
     auto triangles = std::move(into.asked.bag.triangles);  // keeps its memory
     triangles.clear();
     into = {};
@@ -143,8 +144,10 @@ class CaseLines::Impl {
     const char* rest = nullptr;
     if (!document_.current_location().get(rest))
       fail_at(rest, "more follows the object; put each object on a line of its own");
-    check_question(into.asked);
-    if (keys_.has_any({Key::hit, Key::t, Key::u, Key::v, Key::in, Key::out, Key::fault})) into.answer = answer();
+  }
+
+  bool is_answered() const {
+    return keys_.has_any({Key::hit, Key::t, Key::u, Key::v, Key::in, Key::out, Key::fault});
   }
 
   void read_field(ondemand::field field, CaseLine& into) {
@@ -406,21 +409,69 @@ class CaseLines::Impl {
 
   const char* end_of_line() const { return text_.data() + trimmed(text_).size(); }
 
-  InputFile file_;
+  const std::string name_;  // of the file, for messages
   ondemand::parser parser_;
   ondemand::document document_;
   // Of the line at hand:
   std::string_view text_;
+  std::size_t line_number_ = 0;
   Keys keys_;
   Key key_ = Key::id;
   Parts parts_;
+};
+
+}  // namespace
+
+class CaseLines::Impl {
+ public:
+  explicit Impl(const std::string& path) : file_(path), reader_(file_.name()) {}
+
+  bool next(CaseLine& into) {
+    std::string_view text;
+    do {
+      if (!file_.next_line(text)) return false;
+      if (file_.line_number() == 1 && text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    } while (trimmed(text).empty());
+    reader_.read_case(text, file_.line_number(), into);
+    return true;
+  }
+
+  bool ready() { return file_.line_ready(); }
+
+  [[noreturn]] void fail(std::string_view message) const { reader_.fail_at_start(message); }
+
+ private:
+  InputFile file_;
+  LineReader reader_;
 };
 
 CaseLines::CaseLines(const std::string& path) : impl_(std::make_unique<Impl>(path)) {}
 CaseLines::~CaseLines() = default;
 bool CaseLines::next(CaseLine& line) { return impl_->next(line); }
 bool CaseLines::ready() { return impl_->ready(); }
-void CaseLines::fail(std::string_view message) const { impl_->fail_at_start(message); }
+void CaseLines::fail(std::string_view message) const { impl_->fail(message); }
+
+class AnswerReader::Impl {
+ public:
+  explicit Impl(std::string name) : reader_(std::move(name)) {}
+
+  AnswerLine read(std::string_view text) {
+    text_.assign(text);
+    text_.reserve(text_.size() + InputFile::padding);
+    reader_.read_answer(text_, ++line_number_, line_);
+    return {line_.id, *line_.answer};
+  }
+
+ private:
+  LineReader reader_;
+  std::string text_;
+  std::size_t line_number_ = 0;
+  CaseLine line_;
+};
+
+AnswerReader::AnswerReader(std::string name) : impl_(std::make_unique<Impl>(std::move(name))) {}
+AnswerReader::~AnswerReader() = default;
+AnswerLine AnswerReader::read(std::string_view line) { return impl_->read(line); }
 
 void append_json(std::string& out, const Case& what) {
   JsonObject object(out);

@@ -42,6 +42,27 @@ class CaseLines {
   std::unique_ptr<Impl> impl_;
 };
 
+/// What a line says that is an answer alone.
+struct AnswerLine {
+  std::string id;  ///< JSON text of the scalar
+  Answer answer;
+};
+
+/// Reads the answers of a program, line by line. What the lines repeat of the case may be there and isn't looked at.
+class AnswerReader {
+ public:
+  /// `name` stands for the file in messages.
+  explicit AnswerReader(std::string name);
+  ~AnswerReader();
+
+  /// Throws InputError as CaseLines::next does; also for a line without `hit`. The lines are counted from 1.
+  AnswerLine read(std::string_view line);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
 /// Appends one line.
 void append_json(std::string& out, const Case& what);
 

@@ -213,7 +213,7 @@ Shot geometry(Family family, Random& random) {
   switch (family) {
     case Family::random: return random_shot(random);
     case Family::small_far: return small_far(random);
-    case Family::lattice: return lattice_shot(random);
+    case Family::lattice_points: return lattice_shot(random);
     case Family::exact_edge12: return exact_edge(random, 12);
     case Family::exact_edge23: return exact_edge(random, 23);
     case Family::exact_edge51: return exact_edge(random, 51);

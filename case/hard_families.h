@@ -12,7 +12,7 @@ namespace plumbline {
 enum class Family : unsigned char {
   random,        ///< coordinates uniform in [-1, 1]: easy, for comparison
   small_far,     ///< triangles of size 2^-10 at distance 1, about half of them hit
-  lattice,       ///< origin, target and vertices from {0, 1.5}^3
+  lattice_points,  ///< origin, target and vertices from {0, 1.5}^3
   exact_edge12,  ///< the ray passes exactly through an edge or vertex; coordinates on a 12-bit grid
   exact_edge23,  ///< the same on a 23-bit grid: what binary32 holds
   exact_edge51,  ///< the same on a 51-bit grid: full mantissas
@@ -33,7 +33,7 @@ enum class Family : unsigned char {
   edge_ulps,  ///< aimed at a point of edge AB
 };
 inline constexpr std::array<std::string_view, 20> family_names = {
-    "random", "small_far",  "lattice", "exact_edge12", "exact_edge23", "exact_edge51", "ulp12",
+    "random", "small_far",  "lattice_points", "exact_edge12", "exact_edge23", "exact_edge51", "ulp12",
     "ulp51",  "coplanar",   "degenerate", "mixed40",   "wide",         "wide_edge",    "full_range",
     "sliver", "far",        "grazing", "tiny",         "huge",         "edge_ulps"};
 constexpr std::string_view name(Family f) { return family_names[static_cast<unsigned>(f)]; }

@@ -12,6 +12,7 @@
 #include "case/real_text.h"
 #include "cli/number_options.h"
 #include "cli/output.h"
+#include "cli/tracer_options.h"
 #include "cli/verb.h"
 
 namespace plumbline {
@@ -19,6 +20,7 @@ namespace {
 
 struct Options {
   std::string file, id, tracer;
+  ForeignOptions foreign;
   std::array<std::string, 9> triangle;
   std::array<std::string, 6> ray;
   std::array<std::string, 2> range = {"0", "inf"};
@@ -75,7 +77,7 @@ std::string text_of(const Case& asked, const Tracer* tracer) {
 }
 
 void run(const Options& options) {
-  const Tracer* const tracer = options.tracer.empty() ? nullptr : &find_tracer(options.tracer);
+  const Tracer* const tracer = options.tracer.empty() ? nullptr : &find_tracer(options.tracer, options.foreign);
   Output output;
   bool first = true;
   for (const Case& asked : cases_of(options)) {
@@ -109,9 +111,11 @@ void add_explain(CLI::App& app) {
       ->needs(triangle);
   verb->add_option("--tracer", options->tracer, "Ask this tracer too, at its precision, and explain the verdict")
       ->type_name("NAME");
+  add_tracer_timeout(*verb, options->foreign);
   verb->footer(
       "A number is a decimal, a hexfloat (0x1.8p+0), inf, -inf or nan. What is not finite makes the case invalid, but\n"
-      "for infinite ends of the range, and the reason is told. A .case file takes no nan.\n"
+      "for infinite ends of the range, and the reason is told. A .case file takes no nan.\n\n" +
+      std::string(foreign_tracers_help) +
       "\nExample:\n"
       "  plumbline explain --triangle 0 0 0  1.5 0 0  0 1.5 0 --ray 0.75 0.75 5  0 0 -1 --tracer brlcad_bot_hlbvh");
   verb->callback([options] { run(*options); });

@@ -7,6 +7,7 @@
 #include "analysis/tracers.h"
 #include "case/input_error.h"
 #include "cli/stream.h"
+#include "cli/tracer_options.h"
 #include "cli/verb.h"
 
 namespace plumbline {
@@ -15,6 +16,7 @@ namespace {
 struct Options {
   StreamOptions stream;
   std::string tracer;
+  ForeignOptions foreign;
 };
 
 // By what --tracer promises and is really asked, else the tracer which the line names; else by the default contract.
@@ -68,7 +70,7 @@ void write(const CaseLine& line, const Judgement& judgement, std::string& out) {
 }
 
 bool run(const Options& options) {
-  Judge judge(options.tracer.empty() ? nullptr : &find_tracer(options.tracer));
+  Judge judge(options.tracer.empty() ? nullptr : &find_tracer(options.tracer, options.foreign));
   std::array<std::size_t, verdict_kind_names.size()> count{};
   const auto lines_read =
       answer_lines(options.stream, [&](const CaseLines& lines, const CaseLine& line, std::string& out) {
@@ -99,6 +101,7 @@ void add_judge(CLI::App& app, bool& disagreement) {
           "Judge by what this tracer promises (default: the tracer that a line names, else closed edges, closed\n"
           "range t_min to t_max)")
       ->type_name("NAME");
+  add_tracer_timeout(*verb, options->foreign);
   add_stream_options(*verb, options->stream);
   verb->footer(
       std::string(question_keys) +
@@ -118,7 +121,8 @@ void add_judge(CLI::App& app, bool& disagreement) {
       "  condition    nominal, or what makes the case ill-conditioned: grazing, sliver, far\n"
       "The counts go to standard error. Exit code 1: a false miss or a false hit. Faults alone exit with 0.\n"
       "\nExample:\n"
-      "  plumbline trace --tracer plucker_f32 --merged rays.ndjson | plumbline judge -");
+      "  plumbline trace --tracer plucker_f32 --merged rays.ndjson | plumbline judge -\n"
+      "  plumbline generate exact_edge23 | my_program | plumbline judge -");
   verb->callback([options, &disagreement] { disagreement = run(*options); });
 }
 

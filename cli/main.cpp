@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
   plumbline::add_sweep(app);
   plumbline::add_compare(app);
   plumbline::add_lattice(app);
+  plumbline::add_generate(app);
   plumbline::add_classify(app);
   plumbline::add_trace(app);
   plumbline::add_judge(app, disagreement);

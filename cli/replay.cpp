@@ -6,6 +6,7 @@
 
 #include "analysis/tracers.h"
 #include "cli/output.h"
+#include "cli/tracer_options.h"
 #include "cli/verb.h"
 
 namespace plumbline {
@@ -13,10 +14,11 @@ namespace {
 
 struct Options {
   std::vector<std::string> paths, tracers;
+  ForeignOptions foreign;
 };
 
 bool run(const Options& options) {
-  const auto tracers = find_tracers(options.tracers);
+  const auto tracers = find_tracers(options.tracers, options.foreign);
   const ReplaySummary summary = replay(options.paths, tracers);
   Output output;
   for (const ReplayEvent& event : summary.events)
@@ -45,14 +47,17 @@ void add_replay(CLI::App& app, bool& disagreement) {
       ->type_name("NAME")
       ->expected(1)
       ->take_all();
+  add_tracer_timeout(*verb, options->foreign);
   verb->footer(
       "The oracle derives what each case expects again, and every tracer is asked and judged. A line is printed for\n"
       "everything that is not as the file says: an expectation that isn't the truth, a wrong answer that no line\n"
       "'known TRACER KIND' lists, and a known one that has changed or gone. A TRACER that this build hasn't is warned "
       "of.\n"
-      "corpus/README.md describes the format.\n"
+      "corpus/README.md describes the format.\n\n" +
+      std::string(foreign_tracers_help) +
       "\nExample:\n"
-      "  plumbline replay corpus/hard --tracer woop_watertight_f32");
+      "  plumbline replay corpus/hard --tracer woop_watertight_f32\n"
+      "  plumbline replay corpus/hard --tracer ./libmine.so");
   verb->callback([options, &disagreement] { disagreement = run(*options); });
 }
 

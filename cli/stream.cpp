@@ -13,7 +13,7 @@ void add_stream_options(CLI::App& verb, StreamOptions& options) {
       ->capture_default_str();
 }
 
-std::size_t answer_lines(const StreamOptions& options, const AnswerLine& answer) {
+std::size_t answer_lines(const StreamOptions& options, const LineAnswerer& answer) {
   CaseLines lines(options.input);
   Output output(options.output);
   std::size_t count = 0;

@@ -19,8 +19,8 @@ void add_stream_options(CLI::App& verb, StreamOptions& options);
 
 /// Calls `answer` for each line; it appends its own line to `out`. Returns the number of lines. Answers are passed on
 /// whenever there is nothing more to read at once, so that a program may ask line by line.
-using AnswerLine = std::function<void(const CaseLines& lines, const CaseLine& line, std::string& out)>;
-std::size_t answer_lines(const StreamOptions& options, const AnswerLine& answer);
+using LineAnswerer = std::function<void(const CaseLines& lines, const CaseLine& line, std::string& out)>;
+std::size_t answer_lines(const StreamOptions& options, const LineAnswerer& answer);
 
 /// Fails at the line read last if its bag has not exactly one triangle.
 void require_one_triangle(const CaseLines& lines, const CaseLine& line);

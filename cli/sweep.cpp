@@ -15,6 +15,7 @@
 #include "case/input_error.h"
 #include "cli/lattice_options.h"
 #include "cli/output.h"
+#include "cli/tracer_options.h"
 #include "cli/verb.h"
 
 namespace plumbline {
@@ -25,6 +26,7 @@ struct SweepOptions {
   std::vector<std::string> tolerances = {"0.1", "0.001", "0.00001"}, standoffs = {"5"};
   std::string normal = "divide", mode = "plate", thickness = "0.1";
   std::vector<std::string> tracers;
+  ForeignOptions foreign;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   bool json = false;
   std::string csv, markdown, directory;
@@ -60,7 +62,7 @@ SweepPlan plan_of(const SweepOptions& options) {
   plan.normal = *from_name<Normal>(normal_names, options.normal);
   plan.object.mode = *from_name<BagMode>(bag_mode_names, options.mode);
   plan.object.thickness = to_double(parse_decimal(options.thickness, "--thickness"));
-  plan.tracers = find_tracers(options.tracers);
+  plan.tracers = find_tracers(options.tracers, options.foreign);
   plan.triples = triple_range(plan.lattices.front(), options.lattice.first, options.lattice.count);
   plan.jobs = options.jobs;
   return plan;
@@ -168,6 +170,7 @@ void add_sweep(CLI::App& app) {
                    "Tracer to put to the test, or 'all'; repeatable (default: textbook kernels, BRL-CAD's rules, Embree, exact)")
       ->type_name("NAME")
       ->group("Tracers");
+  add_tracer_timeout(*verb, o.foreign);
   verb->add_option("--mode", o.mode, "What a triangle is")
       ->check(CLI::IsMember(std::vector<std::string>(bag_mode_names.begin(), bag_mode_names.end())))
       ->type_name("MODE")
@@ -183,8 +186,11 @@ void add_sweep(CLI::App& app) {
   verb->add_option("-o", o.directory, "Write table.md, sweep.csv and sweep.json (one object a line)")->type_name("DIR");
   verb->footer(
       "Without options: the report's own experiment, 336 triangles and 21504 rays.\n"
-      "Interrupted (Ctrl-C), it prints what is done, writes no file, exits with 2, and says where to take it up.\n\n"
+      "Interrupted (Ctrl-C), it prints what is done, writes no file, exits with 2, and says where to take it up.\n\n" +
+      std::string(foreign_tracers_help) +
+      "\nExamples:\n"
       "  plumbline sweep --tracer exact --tracer brlcad_bot_classic\n"
+      "  plumbline sweep --tracer ./libmine.so --tracer exact\n"
       "  plumbline sweep --standoff 0.25 --standoff 5 --standoff 10000 --offset 0 0 0 --offset 0.25 0.25 0.25\n"
       "  plumbline sweep --box 2 2 2 --step 0.05 --first 4000000 --count 100000 --json > part.json");
   verb->callback([options] { run_sweep(*options); });

@@ -5,6 +5,7 @@
 #include "analysis/ask.h"
 #include "analysis/tracers.h"
 #include "cli/stream.h"
+#include "cli/tracer_options.h"
 #include "cli/verb.h"
 
 namespace plumbline {
@@ -13,6 +14,7 @@ namespace {
 struct Options {
   StreamOptions stream;
   std::string tracer;
+  ForeignOptions foreign;
   bool merged = false;
 };
 
@@ -24,9 +26,11 @@ void add_trace(CLI::App& app) {
   verb->add_option("--tracer", options->tracer, "Who is asked; 'plumbline tracers' lists them")
       ->type_name("NAME")
       ->required();
+  add_tracer_timeout(*verb, options->foreign);
   verb->add_flag("--merged", options->merged, "Repeat the case before its answer, as 'plumbline judge' reads it");
   add_stream_options(*verb, options->stream);
   verb->footer(std::string(question_keys) +
+               "\n" + foreign_tracers_help +
                "\nA tracer that reads binary32 is asked for the case rounded to it.\n"
                "Each line of output answers one line of input:\n"
                "  id           as given\n"
@@ -37,7 +41,7 @@ void add_trace(CLI::App& app) {
                "\nExample:\n"
                "  plumbline trace --tracer moller_trumbore_f64 --merged rays.ndjson | plumbline judge -");
   verb->callback([options] {
-    const Tracer& tracer = find_tracer(options->tracer);
+    const Tracer& tracer = find_tracer(options->tracer, options->foreign);
     Conduct conduct;
     answer_lines(options->stream, [&](const CaseLines&, const CaseLine& line, std::string& out) {
       JsonObject object(out);

@@ -10,7 +10,7 @@ constexpr std::array<WorkloadPlan, 16> plans = {{
     {.name = "random_hits", .hits_only = true},
     {.name = "random_memory", .unpaired = true, .from_memory = true},
     {.name = "small_far", .family = Family::small_far},
-    {.name = "lattice", .family = Family::lattice, .unpaired = true},
+    {.name = "lattice", .family = Family::lattice_points, .unpaired = true},
     {.name = "exact_edge12", .family = Family::exact_edge12},
     {.name = "exact_edge23", .family = Family::exact_edge23},
     {.name = "exact_edge51", .family = Family::exact_edge51},

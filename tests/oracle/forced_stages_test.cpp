@@ -56,7 +56,7 @@ Share expected_share(Family family) {
     case Family::random:
     case Family::small_far:
       return {.filter = nearly_all, .integer = most};
-    case Family::lattice:
+    case Family::lattice_points:
     case Family::exact_edge12:
     case Family::exact_edge23:
     case Family::coplanar:

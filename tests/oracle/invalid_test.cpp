@@ -50,7 +50,7 @@ std::vector<Shot> ordinary() {
   std::vector<Shot> shots;
   Random random(judges::seed());
   for (std::uint64_t i = 0; i < 20; ++i)
-    for (const Family family : {Family::random, Family::lattice, Family::exact_edge23, Family::exact_edge51,
+    for (const Family family : {Family::random, Family::lattice_points, Family::exact_edge23, Family::exact_edge51,
                                 Family::coplanar, Family::degenerate, Family::wide})
       shots.push_back(draw(family, judges::seed() + 7, i));
   for (int i = 0; i < 60; ++i) shots.push_back(draw_on_grids(random, 20, 20));
