@@ -10,8 +10,8 @@
 namespace plumbline {
 
 enum class Family : unsigned char {
-  random,        ///< coordinates uniform in [-1, 1]: easy, for comparison
-  small_far,     ///< triangles of size 2^-10 at distance 1, about half of them hit
+  random,          ///< coordinates uniform in [-1, 1]: easy, for comparison
+  small_far,       ///< triangles of size 2^-10 at distance 1, about half of them hit
   lattice_points,  ///< origin, target and vertices from {0, 1.5}^3
   exact_edge12,  ///< the ray passes exactly through an edge or vertex; coordinates on a 12-bit grid
   exact_edge23,  ///< the same on a 23-bit grid: what binary32 holds

@@ -146,8 +146,11 @@ std::string ChildProgram::end_of_it() {
     kill();
     return "it closed its output, and was killed";
   }
-  if (WIFSIGNALED(status_)) return fmt::format("signal {}: {}", WTERMSIG(status_), strsignal(WTERMSIG(status_)));
-  return fmt::format("exit code {}", WEXITSTATUS(status_));
+  const int code = WIFEXITED(status_) ? WEXITSTATUS(status_) : 0;
+  // The shell tells the end of what it started by a signal so.
+  const int signal = WIFSIGNALED(status_) ? WTERMSIG(status_) : code > 128 && code < 128 + NSIG ? code - 128 : 0;
+  if (signal != 0) return fmt::format("signal {}: {}", signal, strsignal(signal));
+  return fmt::format("exit code {}", code);
 }
 
 // False: nothing was there.

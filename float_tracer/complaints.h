@@ -16,6 +16,8 @@ class Complaints {
   ~Complaints();
 
   void add(std::string_view what);
+  /// Told in any case.
+  void insist(std::string_view what);
 
  private:
   static constexpr std::size_t told_at_most = 10;

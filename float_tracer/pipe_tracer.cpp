@@ -62,7 +62,7 @@ class Programs {
   bool given_up() const { return faults_in_a_row_ >= give_up_after; }
   void count_fault() {
     if (++faults_in_a_row_ == give_up_after)
-      complaints.add(fmt::format("{} faults in a row: given up, the rest are faults too", give_up_after));
+      complaints.insist(fmt::format("{} faults in a row: given up, the rest are faults too", give_up_after));
   }
 
   double timeout() const { return timeout_; }

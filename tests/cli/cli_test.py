@@ -344,7 +344,7 @@ class Tracers(CliTest):
 
 
 class Everywhere(CliTest):
-    VERBS = ("sweep", "lattice", "classify", "trace", "judge", "replay", "explain", "tracers")
+    VERBS = ("sweep", "lattice", "classify", "trace", "judge", "replay", "explain", "tracers", "generate")
 
     def test_help_and_version(self):
         self.assertRegex(run("--version").stdout, r"\Aplumbline \d+\.\d+\.\d+\n\Z")
