@@ -276,5 +276,28 @@ TEST(InputFile, LinesOfAnyLength) {
   EXPECT_EQ(lines.line_number(), expected.size());
 }
 
+TEST(AnswerReader, ReadsAnAnswerWithoutItsCase) {
+  AnswerReader reader("out");
+  const AnswerLine hit = reader.read(R"({"id":"a","hit":true,"t":"0x1p-1","u":0.25,"v":0.5,"triangle_index":2})");
+  EXPECT_EQ(hit.id, R"("a")");
+  EXPECT_EQ(hit.answer.outcome, Outcome::hit);
+  EXPECT_TRUE(hit.answer.has_t && hit.answer.has_uv);
+  EXPECT_EQ(hit.answer.t, 0x1p-1);
+  EXPECT_EQ(hit.answer.triangle, 2u);
+  const AnswerLine fault = reader.read(R"({"hit":null})");
+  EXPECT_EQ(fault.id, "null");
+  EXPECT_EQ(fault.answer.outcome, Outcome::fault);
+  EXPECT_EQ(reader.read("{" + question + R"(,"id":3,"hit":false,"precision":"binary32"})").id, "3");
+}
+
+TEST(AnswerReader, TellsTheLineThatIsWrong) {
+  AnswerReader reader("out");
+  reader.read(R"({"id":1,"hit":true})");
+  EXPECT_THAT(error_of([&] { reader.read(R"({"id":2})"); }), HasSubstr("out:2:1: an answer without 'hit'"));
+  EXPECT_THAT(error_of([&] { reader.read(R"({"id":3,"hit":tr)"); }), HasSubstr("out:3:"));
+  EXPECT_THAT(error_of([&] { reader.read(""); }), HasSubstr("out:4:"));
+  EXPECT_EQ(reader.read(R"({"id":5,"hit":true})").id, "5");  // goes on
+}
+
 }  // namespace
 }  // namespace plumbline
