@@ -7,8 +7,8 @@
 import { createInterface } from 'node:readline';
 
 const version = process.argv[2] ?? 'three-187';
-const { Ray, Vector3 } = await import(version).catch((error) => {
-  console.error(`three.mjs: the package '${version}' is missing: run 'npm install' in the folder of three.mjs (${error.code})`);
+const { Ray, Vector3 } = await import(version).catch(() => {
+  console.error(`three.mjs: the package '${version}' is missing: run 'npm install' in the folder of three.mjs`);
   process.exit(1);
 });
 

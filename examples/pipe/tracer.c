@@ -5,8 +5,8 @@
 //   plumbline generate exact_edge23 --precision binary32 | ./tracer | plumbline judge -
 //   plumbline sweep --tracer pipe32:./tracer --tracer exact
 //
-// In place of hit_triangle, call what you want tested. The reader is no parser of JSON: it finds the keys in lines that
-// Plumbline wrote.
+// In place of hit_triangle, call what you want tested. The reader is no parser of JSON: it finds the keys in lines
+// that Plumbline wrote.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -82,7 +82,8 @@ int main(void) {
     char* end = strrchr(line, '}');
     if (!end) continue;
     *end = 0;
-    const int complete = numbers(line, "triangle", 9, 0, triangle) == 9 && numbers(line, "origin", 3, 0, origin) == 3 &&
+    const int complete = numbers(line, "triangle", 9, 0, triangle) == 9 &&
+                         numbers(line, "origin", 3, 0, origin) == 3 &&
                          numbers(line, "direction", 3, 0, direction) == 3;
     numbers(line, "t_min", 1, 0, &t_min);
     numbers(line, "t_max", 1, INFINITY, &t_max);

@@ -1,8 +1,8 @@
 """Tracers of other people, plugged in as a user does it: shared libraries by plumbline_tracer.h, built outside the
 tree, and programs by a pipe, well-behaved and not.
 
-PLUMBLINE names the program under test, PLUMBLINE_SOURCE the source tree, CC and CXX the compilers. The test of three.js
-needs its packages: NODE_PATH_OF_EXAMPLES names a folder with node_modules (default: examples/pipe)."""
+PLUMBLINE names the program under test, PLUMBLINE_SOURCE the source tree, CC and CXX the compilers. The test of
+three.js needs its packages: NODE_PATH_OF_EXAMPLES names a folder with node_modules (default: examples/pipe)."""
 import json
 import os
 import pathlib
@@ -162,7 +162,8 @@ for line in sys.stdin:
         return f"pipe:{shlex.quote(sys.executable)} -B {path}"
 
     def cases(self, xs):
-        text = "".join(f"case x{i}\ntriangle 0 0 0  1 0 0  0 1 0\nray {x} 0.25 1  0 0 -1\n\n" for i, x in enumerate(xs))
+        text = "".join(f"case x{i}\ntriangle 0 0 0  1 0 0  0 1 0\nray {x} 0.25 1  0 0 -1\n\n"
+                       for i, x in enumerate(xs))
         path = self.folder / "x.case"
         path.write_text(text)
         return path

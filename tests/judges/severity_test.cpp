@@ -39,7 +39,8 @@ TEST_P(SeverityOf, IsTheRoundedLeastDistance) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, SeverityOf,
-                         testing::Values(Family::random, Family::small_far, Family::lattice_points, Family::exact_edge23,
+                         testing::Values(Family::random, Family::small_far, Family::lattice_points,
+                                         Family::exact_edge23,
                                          Family::ulp51, Family::mixed40, Family::coplanar, Family::wide_edge),
                          [](const auto& info) { return std::string(name(info.param)); });
 
