@@ -127,7 +127,8 @@ void add_oracle(CLI::App& bench) {
 }
 
 void add_interface(CLI::App& bench) {
-  CLI::App* verb = bench.add_subcommand("interface", "What it costs to ask a tracer by the common interface, or in a child");
+  CLI::App* verb =
+      bench.add_subcommand("interface", "What it costs to ask a tracer by the common interface, or in a child");
   auto quick = std::make_shared<bool>(false);
   verb->add_flag("--quick", *quick, "Few rounds: to try it out; the times mean little");
   verb->footer(

@@ -11,7 +11,7 @@ struct Conduct {
   bool disturbed = false;  ///< it left the floating-point controls changed
   /// The rays that a tracer in a child process died of, each Outcome::fault, by the cause: "SIGABRT", "exit code 0",
   /// "no answer within 10 s".
-  std::map<std::string, std::uint64_t> deaths;
+  std::map<std::string, std::uint64_t> deaths = {};
 
   Conduct& operator+=(const Conduct& more);
   friend bool operator==(const Conduct&, const Conduct&) = default;

@@ -1,4 +1,5 @@
-// What it costs to ask a tracer through float_tracer/tracer.h instead of by a loop of one's own, and in a child process.
+// What it costs to ask a tracer through float_tracer/tracer.h instead of by a loop of one's own, and in a child
+// process.
 #pragma once
 #include <cstddef>
 #include <string>

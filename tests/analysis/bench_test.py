@@ -97,4 +97,13 @@ class BenchOracle(unittest.TestCase):
             self.assertIn(words, done.stderr)
 
 
+class BenchInterface(unittest.TestCase):
+    def test_every_way_of_every_size(self):
+        done = subprocess.run([PROGRAM, "bench", "interface", "--quick"], capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        rows = [line.split() for line in done.stdout.splitlines()[2:]]
+        self.assertEqual(len(rows), 4 * 5)
+        self.assertEqual({row[0] for row in rows}, {"1", "64", "1024", "65536"})
+
+
 unittest.main()

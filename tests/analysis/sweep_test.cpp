@@ -3,8 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cfenv>
+#include <cstdlib>
+
+#include "analysis/ask.h"
 #include "analysis/tracers.h"
 #include "case/input_error.h"
+#include "float_tracer/isolated.h"
 
 namespace plumbline {
 namespace {
@@ -152,6 +157,67 @@ TEST(Sweep, IsAPrefixWhenInterrupted) {
   EXPECT_LT(partial.done.end, 512);
   plan.triples = partial.done;
   EXPECT_EQ(tallies(sweep(plan)), tallies(partial));
+}
+
+// `exact`, but dies of each ray from x = 1, and changes the rounding mode at those from x = 0.
+class Mortal final : public Tracer {
+ public:
+  Mortal() : Tracer({.name = "mortal", .summary = "", .source = "", .contract = {}}) {}
+  std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override {
+    return std::make_unique<Prepared>(find_tracer("exact").prepare(bag));
+  }
+
+ private:
+  class Prepared final : public PreparedBag {
+   public:
+    explicit Prepared(std::unique_ptr<PreparedBag> exact) : exact_(std::move(exact)) {}
+
+   private:
+    void answer(std::span<const Ray> rays, std::span<Answer> answers) override {
+      exact_->trace(rays, answers);
+      for (const Ray& ray : rays) {
+        if (ray.origin.x == 1) std::abort();
+        if (ray.origin.x == 0) std::fesetround(FE_UPWARD);
+      }
+    }
+    std::unique_ptr<PreparedBag> exact_;
+  };
+};
+
+TEST(Sweep, CountsWhatATracerDiesOfAndChangesNothingElse) {
+  const auto mortal = isolated(std::make_unique<Mortal>());
+  SweepPlan plan = plan_for({"exact"});
+  plan.triples = {0, 200};
+  plan.tracers.push_back(mortal.get());
+  const SweepResult one = sweep(plan);
+  plan.jobs = 3;
+  const SweepResult three = sweep(plan);
+  EXPECT_EQ(tallies(three), tallies(one));
+  EXPECT_EQ(three.conduct, one.conduct);
+
+  EXPECT_EQ(one.conduct.at(0), Conduct{});
+  EXPECT_TRUE(one.conduct.at(1).disturbed);
+  std::uint64_t faults = 0;
+  for (std::size_t i = 0; i < one.rows.size(); ++i) {
+    faults += one.rows[i].tally.faults;
+    EXPECT_EQ(one.rows[i].tally.false_hits + one.rows[i].tally.false_misses, 0);
+  }
+  EXPECT_GT(faults, 0);
+  EXPECT_EQ(one.conduct.at(1).deaths, (std::map<std::string, std::uint64_t>{{"SIGABRT", faults}}));
+}
+
+TEST(Ask, TellsWhatATracerDiedOf) {
+  const auto mortal = isolated(std::make_unique<Mortal>());
+  Case asked;
+  asked.bag.triangles = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
+  asked.ray = {.origin = {1, 1, 5}, .direction = {0, 0, -1}};
+  const Reply dead = ask(*mortal, asked);
+  EXPECT_EQ(dead.answer.outcome, Outcome::fault);
+  EXPECT_EQ(dead.conduct.deaths, (std::map<std::string, std::uint64_t>{{"SIGABRT", 1}}));
+  asked.ray.origin.x = 0;
+  const Reply disturbed = ask(*mortal, asked);
+  EXPECT_EQ(disturbed.answer.outcome, Outcome::hit);
+  EXPECT_EQ(disturbed.conduct, Conduct{.disturbed = true});
 }
 
 TEST(Sweep, RefusesAPlanThatMakesNoSense) {
