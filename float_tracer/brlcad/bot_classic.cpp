@@ -8,16 +8,19 @@ namespace plumbline {
 namespace brlcad {
 namespace {
 
-// The edges belong to the triangle. The normal isn't of unit length, so what counts as parallel depends on the area.
-std::optional<double> intersect(const Face& face, const Vector& origin, const Vector& direction) {
+// The edges belong to the triangle. The normal isn't of unit length, so what counts as parallel depends on the area. A
+// NaN, where huge numbers overflow, passes every comparison.
+std::optional<double> intersect(const Solid& solid, const Vector& origin, const Vector& direction) {
+  const Face& face = solid.face;
   const double slope = dot(face.cross, direction), size = std::abs(slope);
   if (size < least_slope) return std::nullopt;
+  const double least = -solid.margin, most = solid.margin + size;
   const Vector to_a = face.a - origin, x = cross(to_a, direction);
   const double along_ac = dot(face.ac, x), alpha = slope < 0 ? -along_ac : along_ac;
-  if (!(alpha >= 0 && alpha <= size)) return std::nullopt;
+  if (alpha < least || alpha > most) return std::nullopt;
   const double along_ab = dot(face.ab, x), beta = slope > 0 ? -along_ab : along_ab;
-  if (!(beta >= 0 && beta <= size)) return std::nullopt;
-  if (alpha + beta > size) return std::nullopt;
+  if (beta < least || beta > most) return std::nullopt;
+  if (alpha + beta > most) return std::nullopt;
   return dot(to_a, face.cross) / slope;
 }
 
@@ -31,9 +34,8 @@ struct Classic {
             .contract = {.range = RangeRule::ray, .t_min = EndRule::unspecified}};
   }
   static std::optional<Segment> shoot(const Solid& solid, const Vector& origin, const Vector& direction) {
-    return shoot_model(solid, origin, direction, [](const Solid& s, const Entry& entry) {
-      return intersect(s.face, entry.point, entry.direction);
-    });
+    return shoot_model(solid, origin, direction,
+                       [](const Solid& s, const Entry& entry) { return intersect(s, entry.point, entry.direction); });
   }
 };
 
@@ -45,7 +47,7 @@ struct ClassicKernel {
             .contract = {.range = RangeRule::line, .t_min = EndRule::unspecified}};
   }
   static std::optional<Segment> shoot(const Solid& solid, const Vector& origin, const Vector& direction) {
-    const std::optional<double> t = intersect(solid.face, origin, direction);
+    const std::optional<double> t = intersect(solid, origin, direction);
     if (!t) return std::nullopt;
     return segment_at(solid, direction, *t);
   }

@@ -4,10 +4,12 @@
 //   info()                 the TracerInfo;
 //   shoot(solid, o, d)     std::optional<Segment>, empty for a miss.
 // Limits, Outcome::fault beyond them: a bag has exactly one triangle (what several do to each other is not modelled),
-// and every coordinate and the thickness is finite. t_min and t_max are not read. BRL-CAD reports where a ray enters
+// every coordinate and the thickness is finite, and so is every side of the triangle's box (BRL-CAD takes an object for
+// infinite where that overflows, and walks otherwise). t_min and t_max are not read. BRL-CAD reports where a ray enters
 // and leaves: in and out. A surface's or solid's t is in (= out); the hit between a plate's in and out is not reported,
 // so a plate has no t. It reports no barycentrics.
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -23,8 +25,9 @@ inline bool finite(const Vec3& v) { return is_finite(v.x) && is_finite(v.y) && i
 
 inline bool within_limits(const Bag& bag) {
   if (bag.triangles.size() != 1 || !is_finite(bag.thickness)) return false;
-  const Triangle& t = bag.triangles.front();
-  return finite(t.a) && finite(t.b) && finite(t.c);
+  const auto& [a, b, c] = bag.triangles.front();
+  const auto side = [](double x, double y, double z) { return std::max({x, y, z}) - std::min({x, y, z}); };
+  return finite(a) && finite(b) && finite(c) && finite({side(a.x, b.x, c.x), side(a.y, b.y, c.y), side(a.z, b.z, c.z)});
 }
 
 /// Shoots through the walk: `test(solid, entry)` gives the parameter of the hit as seen from the moved origin, if any.

@@ -9,7 +9,10 @@ std::optional<Segment> segment_at(const Solid& solid, const Vector& direction, d
     case BagMode::surface:
       return Segment{t, t};
     case BagMode::solid:
-      if (solid.orientation != Orientation::none) return std::nullopt;
+      if (solid.orientation != Orientation::none) {
+        const double slope = dot(solid.face.unit_normal, direction);
+        if (slope < 0 || slope > 0) return std::nullopt;
+      }
       return Segment{t, t};
     case BagMode::plate:
       break;
@@ -21,6 +24,7 @@ std::optional<Segment> segment_at(const Solid& solid, const Vector& direction, d
 }
 
 std::optional<Segment> weave(Segment s) {
+  if (std::isnan(s.in) || std::isnan(s.out)) return std::nullopt;
   if (std::abs(s.in) < distance_tolerance) s.in = 0;
   if (s.in > s.out) return std::nullopt;
   if (std::abs(s.out - s.in) < distance_tolerance) s.out = s.in;

@@ -1,7 +1,8 @@
 // What BRL-CAD's prep makes of a "bag of triangles" (BoT) of one face, and its constants. Lengths in millimetres.
 //
 // BRL-CAD 7.22 to 7.40.2 (the "classic" triangle arithmetic), checked bit for bit against answers recorded from 7.24.2
-// (corpus/recorded). All of it is binary64 with one rounding per operation; the order of operations counts.
+// (corpus/recorded) and, where one is found, against the library itself (float_tracer/adapters/brlcad.h). All of it is
+// binary64 with one rounding per operation; the order of operations counts.
 #pragma once
 #include <optional>
 
@@ -25,10 +26,12 @@ struct Face {
   Vector unit_normal;  ///< nearly: a cross product of nearly unit length is kept as it is
 };
 
-/// A BoT of one face. An orientation only turns the normals' signs, on which no answer for one face depends.
+/// A BoT of one face. Of the orientation only whether there is one counts: it turns the normals' signs, on which no
+/// answer for one face depends.
 struct Solid {
   Face face;
   Box face_box;   ///< of the vertices
+  double margin;  ///< of the classic triangle test. An oriented solid's: a 1e7th of half its box's longest side
   Box model_box;  ///< what the ray walk starts from: whole numbers, a thickness not counted
   BagMode mode;
   Orientation orientation;

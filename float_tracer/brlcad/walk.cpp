@@ -9,12 +9,18 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double zero_component = 1e-39;  // of a direction: up to here it counts as zero
-constexpr double look_back = 2.0;         // a ray that starts inside the box is moved back by no more
+constexpr double zero_inverse = 1e-77;    // of a component: up to here the component counts as none
+constexpr double largest_parameter = 1e73;
+constexpr double look_back = 2.0;  // a ray that starts inside the box is moved back by no more
 
 // The near end of the ray's way through the box; the NaN of 0 * infinity changes nothing.
 std::optional<double> slab_test(const Box& box, const Vector& origin, const Vector& inverse) {
-  double near = -infinity, far = infinity;
+  double near = -largest_parameter, far = largest_parameter;
   for (int i = 0; i < 3; ++i) {
+    if (std::abs(inverse[i]) <= zero_inverse) {
+      if (box.low[i] > origin[i] || box.high[i] < origin[i]) return std::nullopt;
+      continue;
+    }
     double first = (box.low[i] - origin[i]) * inverse[i], last = (box.high[i] - origin[i]) * inverse[i];
     if (inverse[i] < 0) std::swap(first, last);
     if (first > near) near = first;

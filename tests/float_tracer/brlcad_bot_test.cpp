@@ -181,6 +181,41 @@ TEST(BrlcadOrigin, TheTriangleTestAloneTakesTheWholeLine) {
   EXPECT_EQ(shoot("brlcad_bot_classic", surface(flat), down(0.5, 0.5, -8)).outcome, Outcome::miss);
 }
 
+TEST(BrlcadOverflow, ABoxWithoutASizeIsAFault) {
+  const double most = 0x1p+1023;
+  EXPECT_EQ(shoot("brlcad_bot_classic", surface({{-most, 0, 0}, {most, 0, 0}, {0, 2, 0}}), down(0.5, 0.5)).outcome,
+            Outcome::fault);
+  EXPECT_NE(shoot("brlcad_bot_classic", surface({{0, 0, 0}, {most, 0, 0}, {0, 2, 0}}), down(0.5, 0.5)).outcome,
+            Outcome::fault);
+}
+
+// Coordinates so large that products overflow: the test's own numbers are NaN, of which no comparison is true, so
+// nothing rejects the hit; its t overflows as well. The unit normal is zero, so that the lone face is kept. A
+// real 7.24.2 says the same.
+TEST(BrlcadOverflow, NaNPassesTheTriangleTest) {
+  const Bag bag{.triangles = {{{0x1.097d98f867a21p-112, 0x1.5313f284b04b8p-76, -0x1.1ce6a66ea1e42p-455},
+                               {-0x1.50b0965eac749p+343, 0x1.848442084e081p+523, 0x1.d14fda9fc33b4p+722},
+                               {-0x1.adad6bca253acp-782, -0x1.1670cadd5d806p+221, -0x1.c2938d62e702ap-340}}},
+                .mode = BagMode::solid,
+                .orientation = Orientation::ccw};
+  const Ray ray{.origin = {-0x1.25333c4ad58d7p-759, 0x1.f84a22a29a821p-541, 0x1.47f51eef7696ep+688},
+                .direction = {-0x1.ca56965327fb8p-81, 0x1.3a1749db0a0ecp+19, -0x1.4fa60c34c2969p+128}};
+  const Answer answer = shoot("brlcad_bot_classic", bag, ray);
+  EXPECT_EQ(answer.outcome, Outcome::hit);
+  EXPECT_EQ(answer.in, infinity);
+  EXPECT_EQ(answer.out, infinity);
+}
+
+// A real 7.24.2 takes this for a defective segment, and drops it.
+TEST(BrlcadOverflow, ANaNForTIsAMiss) {
+  const Triangle triangle{{-0x1.8627d6f10fbe2p+418, 0x1.9c5015f2aeap+194, 0x1.10464ea965b42p-176},
+                          {-0x1.b1c03fa25db48p-69, -0x1.2f9f4892fbb84p+137, 0x1.3f59f8ba123acp+179},
+                          {0x1.57d9ce1d21235p+493, 0x1.71c10a9856fb4p+432, 0x1.733c5a5a31aecp+176}};
+  const Ray ray{.origin = {0x1.cec97d9afce38p-484, -0x1.0836e01f9ef41p-493, -0x1.1e46e2d77ffe8p+394},
+                .direction = {0x1.711c1925cd08dp-494, 0x1.e666462c0b0ffp-192, 0x1.4b52e8fb3bfe9p+339}};
+  EXPECT_EQ(shoot("brlcad_bot_classic", surface(triangle), ray).outcome, Outcome::miss);
+}
+
 // A ray along an axis in an upper face of the box leaves it, as the box test sees it, before it has entered.
 TEST(BrlcadHlbvh, LosesAxisRaysInAnUpperFaceOfTheBox) {
   const Bag bag = surface({{0, 0, 0}, {1.5, 0, 0}, {0, 1.5, 0}});

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "float_tracer/brlcad/segment.h"
 
 namespace plumbline::brlcad {
@@ -50,6 +52,19 @@ TEST(BrlcadSegment, ALoneFaceOfAnOrientedSolidIsDropped) {
   }
 }
 
+TEST(BrlcadSegment, ALoneFaceOfAnOrientedSolidIsKeptWhereItsUnitNormalHasNoSlope) {
+  Bag bag = plate(2, PlatePosition::centred, true);
+  bag.mode = BagMode::solid;
+  bag.orientation = Orientation::ccw;
+  const auto segment = segment_at(*prepare_solid(bag), {3, 4, 0}, 10);
+  ASSERT_TRUE(segment);
+  EXPECT_EQ(segment->in, 10);
+  EXPECT_EQ(segment->out, 10);
+  // |ab x ac| = 2^600 has an infinite square, and the unit normal becomes zero.
+  bag.triangles = {{{0, 0, 0}, {0x1p+300, 0, 0}, {0, 0x1p+300, 0}}};
+  EXPECT_TRUE(segment_at(*prepare_solid(bag), {3, 0, -4}, 10));
+}
+
 TEST(BrlcadWeave, KeepsWhatLiesAhead) {
   const auto s = weave({4.75, 5.25});
   ASSERT_TRUE(s);
@@ -69,6 +84,13 @@ TEST(BrlcadWeave, DropsWhatLiesBehindOrEndsAtTheOrigin) {
   EXPECT_FALSE(weave({-1, 0x1p-11}));  // 0.000488 becomes 0
   EXPECT_FALSE(weave({0x1p-11, 0x1p-11}));
   EXPECT_FALSE(weave({2, 1}));
+}
+
+TEST(BrlcadWeave, DropsWhatHasANaN) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(weave({nan, 1}));
+  EXPECT_FALSE(weave({1, nan}));
+  EXPECT_FALSE(weave({nan, nan}));
 }
 
 TEST(BrlcadWeave, SnapsToTheOrigin) {

@@ -48,5 +48,15 @@ TEST(BrlcadSolid, OnlyAFlatAxisIsWidened) {
   expect_box(solid->model_box, {0, 0, 2}, {2, 2, 4});
 }
 
+TEST(BrlcadSolid, OnlyAnOrientedSolidHasAMargin) {
+  Bag bag{.triangles = {{{0, 0, 0}, {3, 0, 0}, {0, 8, 0}}}};
+  for (const BagMode mode : {BagMode::surface, BagMode::solid, BagMode::plate})
+    for (const Orientation orientation : {Orientation::none, Orientation::ccw, Orientation::cw}) {
+      bag.mode = mode, bag.orientation = orientation;
+      const bool oriented_solid = mode == BagMode::solid && orientation != Orientation::none;
+      EXPECT_EQ(prepare_solid(bag)->margin, oriented_solid ? 4 / 1e7 : 0);
+    }
+}
+
 }  // namespace
 }  // namespace plumbline::brlcad

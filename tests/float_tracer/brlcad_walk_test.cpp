@@ -50,5 +50,22 @@ TEST(BrlcadWalk, TreatsATinyComponentOfTheDirectionAsZero) {
   EXPECT_FALSE(enter(box, {-1, 0.5, 5}, {1e-39, 0, -1}));
 }
 
+const Box huge{{0, 0, -1e80}, {2, 2, 1e80}};
+
+TEST(BrlcadWalk, GoesNoFartherThan1e73) {
+  EXPECT_TRUE(enter(huge, {0.5, 0.5, 3e80}, {0, 0, -1e8}));   // t = 2e72
+  EXPECT_FALSE(enter(huge, {0.5, 0.5, 3e80}, {0, 0, -1e6}));  // t = 2e74
+}
+
+// One over 1e78 counts as nothing: the component is taken for zero, except where the point is moved.
+TEST(BrlcadWalk, TreatsAnEnormousComponentOfTheDirectionAsZero) {
+  const auto entry = enter(huge, {0.5, 0.5, 5}, {0, 0, -1e78});
+  ASSERT_TRUE(entry);
+  EXPECT_EQ(entry->moved, -2 + 0.0005);
+  EXPECT_EQ(entry->point.z, 5 + entry->moved * -1e78);
+  EXPECT_EQ(entry->box_near, -1e73);
+  EXPECT_FALSE(enter(huge, {0.5, 0.5, 3e80}, {0, 0, -1e78}));
+}
+
 }  // namespace
 }  // namespace plumbline::brlcad
