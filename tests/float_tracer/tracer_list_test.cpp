@@ -67,6 +67,9 @@ TEST(TracerList, HoldsTheOnesWeKnow) {
   known.insert(known.end(), {"vtk_triangle", "vtk_triangle_tolerant", "vtk_obb_tree", "vtk_cell_locator",
                              "vtk_static_cell_locator"});
 #endif
+#ifdef PLUMBLINE_TEST_BRLCAD
+  known.push_back("brlcad_librt");
+#endif
   EXPECT_THAT(known, IsSubsetOf(names()));
 }
 
@@ -86,6 +89,9 @@ TEST(TracerList, ContractsOfTheOnesWeKnowAreAsDocumented) {
        {std::pair("brlcad_bot_classic", RangeRule::ray), std::pair("brlcad_bot_hlbvh", RangeRule::ray),
         std::pair("brlcad_bot_classic_kernel", RangeRule::line)})
     expect_contract(tracer, {.range = range, .t_min = EndRule::unspecified});
+#ifdef PLUMBLINE_TEST_BRLCAD
+  expect_contract("brlcad_librt", {.range = RangeRule::ray, .t_min = EndRule::unspecified});
+#endif
 #ifdef PLUMBLINE_TEST_EMBREE
   for (const char* tracer : {"embree_default", "embree_robust", "embree_default_w8", "embree_robust_occluded"})
     expect_contract(tracer, {.precision = Precision::binary32,

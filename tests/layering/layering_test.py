@@ -24,6 +24,7 @@ ONLY_IN = {
     r"(gts|glib)\.h": {"float_tracer/adapters"},
     r"(embree\d|libwildmagic|irrlicht|OGRE|ignition)/.*": {"float_tracer/adapters"},
     r"vtk\w+\.h": {"float_tracer/adapters"},
+    r"brlcad/.*": {"float_tracer/adapters"},
     r"simdjson\.h": {"case"},
     r"nlohmann/.*": set(),
     r"CLI/.*": {"cli"},
