@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <map>
 
 #include "case/input_error.h"
 #include "case/nearest_name.h"
 #include "float_tracer/adapters/adapter_list.h"
-#include "float_tracer/isolated.h"
 #include "float_tracer/pipe_tracer.h"
 #include "float_tracer/plugin.h"
 #include "float_tracer/tracer_list.h"
@@ -66,7 +63,7 @@ std::map<std::string, std::unique_ptr<Tracer>, std::less<>>& foreign_tracers() {
 // The one place where foreign tracers are made, and where those of Isolation::process get their process.
 std::unique_ptr<Tracer> make_foreign(const std::string& name, const ForeignOptions& options) {
   if (names_pipe(name)) return pipe_tracer(name, options.timeout);
-  return isolated(load_plugin(name), {.timeout = std::chrono::milliseconds(std::llround(1000 * options.timeout))});
+  return load_plugin(name);
 }
 
 const Tracer& find_foreign(std::string_view name, const ForeignOptions& options) {

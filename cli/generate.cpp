@@ -59,6 +59,8 @@ void add_generate(CLI::App& app) {
       "  coplanar       in the triangle's plane\n"
       "  degenerate     triangles without area\n"
       "  mixed40, wide, wide_edge, full_range   coordinates over many binades, up to any finite bits\n"
+      "  sliver, far, grazing, edge_ulps   thin, 2^20 sizes from 0, at a grazing angle, at an edge within rounding\n"
+      "  tiny, huge     where products of three under- or overflow in binary32\n"
       "  a file or folder of .case, such as corpus/hard\n\n"
       "Each line is one case, with the keys that 'plumbline judge --help' tells. Your program copies the line, adds\n"
       "\"hit\":true or false, and 'plumbline judge' says what it gets wrong. Rounded to binary32, numbers beyond its\n"

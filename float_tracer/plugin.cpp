@@ -317,7 +317,7 @@ std::unique_ptr<Tracer> load_plugin(const std::string& path) {
                                                                  .package = path,
                                                                  .contract = contract,
                                                                  .own_queries = table->asked != nullptr,
-                                                                 .isolation = Isolation::process});
+                                                                 .isolation = Isolation::none});
 }
 
 }  // namespace plumbline

@@ -66,7 +66,7 @@ TEST_P(ExactAdapters, AgreeWithTheOracle) {
       if (classify(rounded.bag.triangles.front(), rounded.ray).invalid == Invalid::none) asked = rounded;
     }
     const Reply reply = ask(*tracer, asked);
-    ASSERT_FALSE(reply.disturbed);
+    ASSERT_FALSE(reply.conduct.disturbed);
     if (!in_range(asked.bag.triangles.front()) || !in_range(reply.query)) {
       ++beyond;
       continue;

@@ -87,7 +87,7 @@ TEST(Sweep, LeavesRaysThatAreNotNormalisedExact) {
 
 TEST(Sweep, BalancesForEveryTracerAndIsTrueToPrecision) {
   SweepPlan plan = plan_for({});
-  for (const auto& tracer : all_tracers()) plan.tracers.push_back(tracer.get());
+  plan.tracers = standard_tracers();
   for (const SweepRow& row : sweep(plan).rows) {
     const Tally& t = row.tally;
     if (t.unspecified + t.faults == 0) {
