@@ -57,7 +57,7 @@ TEST(Plugin, TheExampleHitsAndMisses) {
   const auto tracer = load("example");
   EXPECT_EQ(tracer->info().name, "my_tracer");
   EXPECT_EQ(tracer->info().contract.precision, Precision::binary64);
-  EXPECT_EQ(tracer->info().isolation, Isolation::process);
+  EXPECT_EQ(tracer->info().isolation, Isolation::none);
   EXPECT_FALSE(tracer->info().own_queries);
 
   const Answer hit = shoot(*tracer, {.triangles = {unit}}, down);
