@@ -19,7 +19,7 @@ sys.dont_write_bytecode = True
 from mutants import MUTANTS  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SOURCES = ["CMakeLists.txt", "analysis", "case", "cli", "cmake", "float_tracer", "oracle", "tests"]
+SOURCES = ["CMakeLists.txt", "analysis", "case", "cli", "cmake", "examples", "float_tracer", "oracle", "tests"]
 TARGET = "stages_test"
 
 
