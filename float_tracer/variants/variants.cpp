@@ -29,8 +29,8 @@ class Flushed final : public PreparedBag {
 
 class Variant final : public Tracer {
  public:
-  Variant(TracerInfo info, std::size_t kernel, Prepare prepare)
-      : Tracer(std::move(info)), kernel_(kernel), prepare_(prepare) {}
+  Variant(TracerInfo info, std::size_t kernel, Prepare prepared_by)
+      : Tracer(std::move(info)), kernel_(kernel), prepare_(prepared_by) {}
   std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override { return prepare_(kernel_, bag); }
 
  private:
