@@ -102,7 +102,10 @@ Shot one_ulp_off(Random& random, Shot s) {
 Shot coplanar(Random& random) {
   const auto small = [&] { return static_cast<double>(random.integer(-8, 8)); };
   const Vec3 a = vector(small), e1 = vector(small), e2 = vector(small);
-  const auto in_plane = [&] { return add(scale(0.5 * small(), e1), scale(0.5 * small(), e2)); };
+  const auto in_plane = [&] {
+    const double along_e1 = 0.5 * small(), along_e2 = 0.5 * small();
+    return add(scale(along_e1, e1), scale(along_e2, e2));
+  };
   return {{a, add(a, e1), add(a, e2)}, {add(a, in_plane()), in_plane()}};
 }
 
@@ -118,15 +121,21 @@ Shot degenerate(Random& random) {
   return s;
 }
 
+// In this order: that of a call's arguments is the compiler's choice.
+double spread(Random& random, int binades) {
+  const double significand = random.unit();
+  return std::ldexp(significand, static_cast<int>(random.integer(-binades, binades)));
+}
+
 Shot mixed40(Random& random) {
-  const auto wide = [&] { return std::ldexp(random.unit(), static_cast<int>(random.integer(-20, 20))); };
+  const auto wide = [&] { return spread(random, 20); };
   Shot s{{vector(wide), vector(wide), vector(wide)}, {vector(wide), {}}};
   s.ray.direction = subtract(s.triangle.a, s.ray.origin);
   return s;
 }
 
 Shot wide(Random& random) {
-  const auto any = [&] { return std::ldexp(random.unit(), static_cast<int>(random.integer(-500, 500))); };
+  const auto any = [&] { return spread(random, 500); };
   return {{vector(any), vector(any), vector(any)}, {vector(any), vector(any)}};
 }
 
