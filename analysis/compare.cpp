@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "case/float_bits.h"
+#include "case/finite.h"
 #include "case/input_error.h"
 #include "case/precision.h"
 #include "oracle/classify.h"
@@ -30,10 +30,9 @@ void check(const ComparePlan& plan) {
                                    tracer->info().name));
 }
 
-bool all_finite(const Case& c) {
-  const auto finite = [](const Vec3& v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.z); };
-  const Triangle& t = c.bag.triangles.front();
-  return finite(t.a) && finite(t.b) && finite(t.c) && finite(c.ray.origin) && finite(c.ray.direction);
+bool is_finite(const Case& c) {
+  return plumbline::is_finite(c.bag.triangles.front()) && plumbline::is_finite(c.ray.origin) &&
+         plumbline::is_finite(c.ray.direction);
 }
 
 // No value where the case is invalid once it is rounded.
@@ -45,7 +44,7 @@ std::optional<Case> draw_case(const ComparePlan& plan, Family family, std::uint6
   drawn.ray = shot.ray;
   drawn = put_at(std::move(drawn), plan.inputs);
   drawn.precision = plan.inputs;
-  if (!all_finite(drawn) || drawn.ray.direction == Vec3{}) return std::nullopt;
+  if (!is_finite(drawn) || drawn.ray.direction == Vec3{}) return std::nullopt;
   return drawn;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gts.h>
 
+#include "float_tracer/adapters/prepared_triangles.h"
 #include "float_tracer/adapters/segment_of_ray.h"
 
 namespace plumbline {
@@ -24,16 +25,9 @@ Owned<GtsTriangle> build(const Triangle& t) {
 
 void move(GtsVertex* v, const Vec3& to) { gts_point_set(&v->p, to.x, to.y, to.z); }
 
-// The parameter of a point of the segment.
-double parameter(const GtsPoint& p, const Segment& s) {
-  const Vec3 d{s.to.x - s.from.x, s.to.y - s.from.y, s.to.z - s.from.z};
-  if (std::abs(d.x) >= std::abs(d.y) && std::abs(d.x) >= std::abs(d.z)) return (p.x - s.from.x) / d.x;
-  return std::abs(d.y) >= std::abs(d.z) ? (p.y - s.from.y) / d.y : (p.z - s.from.z) / d.z;
-}
-
-class PreparedTriangles final : public PreparedBag {
+class PreparedGts final : public PreparedBag {
  public:
-  explicit PreparedTriangles(const Bag& bag)
+  explicit PreparedGts(const Bag& bag)
       : reach_(reach(bag)), segment_(gts_segment_new(gts_segment_class(), vertex({}), vertex({}))) {
     if (!reach_) return;
     triangles_.reserve(bag.triangles.size());
@@ -61,7 +55,7 @@ class PreparedTriangles final : public PreparedBag {
       GtsPoint* const p =
           gts_segment_triangle_intersection(segment_.get(), triangles_[k].get(), TRUE, gts_point_class());
       if (!p) continue;
-      const double t = parameter(*p, *segment);
+      const double t = parameter_of({p->x, p->y, p->z}, segment->query.ray);
       if (nearest.outcome != Outcome::hit || t < nearest.t)
         nearest = {.outcome = Outcome::hit, .has_t = true, .triangle = k, .t = t};
       if (is_new(p, triangles_[k].get())) gts_object_destroy(&p->object);
@@ -69,7 +63,7 @@ class PreparedTriangles final : public PreparedBag {
     return nearest;
   }
 
-  std::optional<Segment> segment_for(const Ray& ray) const {
+  std::optional<SegmentOfRay> segment_for(const Ray& ray) const {
     return reach_ ? segment_of(ray, *reach_) : std::nullopt;
   }
 
@@ -103,7 +97,7 @@ class GtsTracer final : public Tracer {
   }
 
   std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override {
-    return std::make_unique<PreparedTriangles>(bag);
+    return std::make_unique<PreparedGts>(bag);
   }
 };
 

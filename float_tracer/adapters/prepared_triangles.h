@@ -20,13 +20,11 @@
 #include <type_traits>
 #include <vector>
 
-#include "case/float_bits.h"
+#include "case/finite.h"
+#include "float_tracer/adapters/nearest.h"
 #include "float_tracer/tracer.h"
 
 namespace plumbline {
-
-inline bool is_finite(const Vec3& v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.z); }
-inline bool is_finite(const Triangle& t) { return is_finite(t.a) && is_finite(t.b) && is_finite(t.c); }
 
 /// The largest magnitude of a component; a NaN is passed over.
 inline double largest_of(const Vec3& v) {
@@ -52,20 +50,13 @@ class PreparedTriangles final : public PreparedBag {
 
  private:
   void answer(std::span<const Ray> rays, std::span<Answer> answers) override {
-    for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = nearest(rays[i]);
+    for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = answer(rays[i]);
   }
 
-  Answer nearest(const Ray& ray) const {
+  Answer answer(const Ray& ray) const {
     const auto probe = Library::probe(ray, largest_);
     if (!takes_ || !probe) return {.outcome = Outcome::fault};
-    Answer best;
-    for (std::uint32_t k = 0; k < triangles_.size(); ++k) {
-      Answer found = Library::intersect(triangles_[k], *probe);
-      if (found.outcome != Outcome::hit || (best.outcome == Outcome::hit && !(found.t < best.t))) continue;
-      found.triangle = k;
-      best = found;
-    }
-    return best;
+    return nearest(triangles_, [&](const auto& triangle) { return Library::intersect(triangle, *probe); });
   }
 
   std::vector<typename Library::Triangle> triangles_;

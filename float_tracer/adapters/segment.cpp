@@ -4,15 +4,13 @@
 #include <cmath>
 #include <limits>
 
-#include "case/float_bits.h"
+#include "case/finite.h"
 #include "case/precision.h"
 
 namespace plumbline {
 namespace {
 
 double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-bool all_finite(const Vec3& v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.z); }
 
 Vec3 along(const Vec3& from, const Vec3& direction, double t, Precision precision) {
   if (is_zero(t)) return from;
@@ -50,7 +48,7 @@ std::optional<Segment> segment_of(const Ray& ray, double largest_of_bag, Precisi
     r.to = is_finite(ray.t_max) ? along(ray.origin, ray.direction, ray.t_max, precision) : end(ray.origin, 1);
     r.from = end(r.to, -1);
   }
-  if (!all_finite(r.from) || !all_finite(r.to)) return std::nullopt;
+  if (!is_finite(r.from) || !is_finite(r.to)) return std::nullopt;
   return r;
 }
 

@@ -12,14 +12,12 @@
 #include <optional>
 
 #include "case/case.h"
-#include "case/float_bits.h"
+#include "case/finite.h"
 #include "case/query.h"
 
 namespace plumbline {
 
 inline double largest_component(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-inline bool is_finite(const Vec3& v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.z); }
 
 /// The largest |coordinate| of a bag; no value if one is not finite.
 inline std::optional<double> reach(const Bag& bag) {
@@ -38,14 +36,14 @@ inline bool has_empty_range(const Ray& ray) {
   return ray.t_min > ray.t_max || ray.t_min == infinite || ray.t_max == -infinite;
 }
 
-struct Segment {
+struct SegmentOfRay {
   Vec3 from, to;
   Query query;  ///< the line through the ends: t is 0 at `from`, 1 at `to`
 };
 
 /// `bag_reach` is reach of the bag. No value where no segment stands for the ray: a coordinate that is not finite, no
 /// direction, a bound that is NaN, ends that coincide, an end or a difference of the ends that overflows.
-inline std::optional<Segment> segment_of(const Ray& ray, double bag_reach) {
+inline std::optional<SegmentOfRay> segment_of(const Ray& ray, double bag_reach) {
   const double step = largest_component(ray.direction);
   if (!is_finite(ray.origin) || !is_finite(ray.direction) || is_zero(step)) return std::nullopt;
   if (is_nan(ray.t_min) || is_nan(ray.t_max)) return std::nullopt;
@@ -61,7 +59,7 @@ inline std::optional<Segment> segment_of(const Ray& ray, double bag_reach) {
   const Vec3 from = is_zero(ray.t_min) ? ray.origin : at(ray.t_min), to = at(ray.t_max);
   if (!is_finite(from) || !is_finite(to) || from == to) return std::nullopt;
   const auto query = query_through(from, to, 0, 1);
-  return query ? std::optional<Segment>({from, to, *query}) : std::nullopt;
+  return query ? std::optional<SegmentOfRay>({from, to, *query}) : std::nullopt;
 }
 
 }  // namespace plumbline

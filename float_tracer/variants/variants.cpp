@@ -3,8 +3,7 @@
 #include <immintrin.h>
 
 #include "float_tracer/float_environment.h"
-#include "float_tracer/kernel_list.h"
-#include "float_tracer/kernel_tracer.h"
+#include "float_tracer/variants/prepare.h"
 
 namespace plumbline {
 namespace {
@@ -38,13 +37,8 @@ class Variant final : public Tracer {
   Prepare prepare_;
 };
 
-std::unique_ptr<PreparedBag> prepare_flushed(std::size_t index, const Bag& bag) {
-  std::unique_ptr<PreparedBag> prepared;
-  std::size_t at = 0;
-  for_each_kernel([&]<class Kernel>() {
-    if (at++ == index) prepared = std::make_unique<Flushed>(std::make_unique<PreparedKernelBag<Kernel>>(bag));
-  });
-  return prepared;
+std::unique_ptr<PreparedBag> prepare_flushed(std::size_t kernel, const Bag& bag) {
+  return std::make_unique<Flushed>(prepare_kernel(kernel, bag));
 }
 
 }  // namespace
