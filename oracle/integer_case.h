@@ -1,12 +1,12 @@
 // A case as 64-bit integers, where it is one: the points multiples of one power of two, the direction of another.
 // Private to the oracle.
 #pragma once
-#include <algorithm>
 #include <optional>
 
 #include "case/float_bits.h"
 #include "case/geometry.h"
 #include "oracle/int192.h"
+#include "oracle/largest.h"
 
 namespace plumbline {
 
@@ -39,7 +39,8 @@ struct IntegerCase {
   /// No value where the coordinates are not such integers, where one is NaN or infinite, or the direction is zero. Any
   /// rounding mode, FTZ and DAZ: what is used of binary64 here is exact or seen to be inexact.
   static std::optional<IntegerCase> make(const Triangle& triangle, const Ray& ray) {
-    const Grid points(largest(ray.origin, triangle.a, triangle.b, triangle.c)), directions(largest(ray.direction));
+    const Grid points(largest_magnitude(ray.origin, triangle.a, triangle.b, triangle.c)),
+        directions(largest_magnitude(ray.direction));
     if (!points.usable || !directions.usable) return std::nullopt;
     std::uint64_t lost = 0;
     const IntegerVec o = points.scaled(ray.origin, lost), a = points.scaled(triangle.a, lost),
@@ -55,23 +56,14 @@ struct IntegerCase {
   }
 
  private:
-  // The bits of the largest magnitude: those of non-negative doubles are ordered as their values, NaN and infinity last.
-  template <class... Vecs>
-  static std::uint64_t largest(const Vecs&... vecs) {
-    std::uint64_t r = 0;
-    for (const Vec3* v : {&vecs...})
-      for (const double k : {v->x, v->y, v->z}) r = std::max(r, to_bits(k) & ~FloatFormat<double>::sign_bit);
-    return r;
-  }
-
   // Multiples of 2^unit below 2^61 * 2^unit, where `biggest` is the largest of them.
   struct Grid {
     int unit;
     bool usable;  // not zero, finite, and of a size that the scaling below cannot overflow or underflow by itself
     double down, up;
-    explicit Grid(std::uint64_t biggest) {
+    explicit Grid(double biggest) {
       constexpr int bias = 1023, reach = 900;
-      const int exponent = static_cast<int>(biggest >> FloatFormat<double>::fraction_bits) - bias;
+      const int exponent = static_cast<int>(to_bits(biggest) >> FloatFormat<double>::fraction_bits) - bias;
       usable = exponent >= -reach && exponent <= reach;
       unit = exponent - 60;
       down = power_of_two(-unit);
