@@ -94,4 +94,16 @@ struct Normalized {
   }
 };
 
+/// The first bits of the magnitude of a number other than zero, the rest cut off: high.low * 2^exponent with a binary
+/// point behind the highest bit of `high`, which is set.
+struct Leading {
+  std::uint64_t high, low;
+  int exponent;
+};
+
+inline Leading leading(const Int192& x) {
+  const Normalized m(x);
+  return {m.limb[0], m.limb[1], m.exponent};
+}
+
 }  // namespace plumbline

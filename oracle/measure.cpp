@@ -5,7 +5,7 @@
 #include "oracle/exact_case.h"
 #include "oracle/integer_case.h"
 #include "oracle/invalid.h"
-#include "oracle/quotient192.h"
+#include "oracle/quotient.h"
 #include "oracle/round.h"
 
 namespace plumbline {

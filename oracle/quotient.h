@@ -1,9 +1,11 @@
-// The quotient of two 192-bit integers, rounded correctly where one 64-bit division tells how. Private to the oracle.
+// The quotient of two integers of several words, rounded correctly where one 64-bit division tells how. Private to the
+// oracle.
 #pragma once
 #include <optional>
 
 #include "case/float_bits.h"
 #include "oracle/int192.h"
+#include "oracle/wide_int.h"
 
 namespace plumbline {
 
@@ -14,12 +16,12 @@ namespace plumbline {
 /// q - 2.01 < (n / d) 2^63 < q + 1.01: truncating d raises the quotient by at most 2^64 / 2^63, truncating n and the
 /// quotient lower it by at most 1 and a bit. So q has 63 or 64 bits, and where the bits to be dropped are more than 3 units
 /// away from the tie, the exact quotient lies on the same side of it.
-template <class Real>
-std::optional<Real> rounded_quotient(const Int192& numerator, const Int192& denominator, int exponent) {
+template <class Real, class Integer>
+std::optional<Real> rounded_quotient(const Integer& numerator, const Integer& denominator, int exponent) {
   using F = FloatFormat<Real>;
   if (numerator.sign() == 0) return Real{0};
-  const Normalized n(numerator), d(denominator);
-  const auto q = static_cast<std::uint64_t>((static_cast<Word128>(n.limb[0]) << 63 | n.limb[1] >> 1) / d.limb[0]);
+  const Leading n = leading(numerator), d = leading(denominator);
+  const auto q = static_cast<std::uint64_t>((static_cast<Word128>(n.high) << 63 | n.low >> 1) / d.high);
   const int width = static_cast<int>(std::bit_width(q));
   const int dropped = width - F::precision;
   const std::uint64_t half = std::uint64_t{1} << (dropped - 1), rest = q & (2 * half - 1);

@@ -1,0 +1,139 @@
+// Signed integers of a few 64-bit words in two's complement, on the stack: what determinants of 125-bit
+// integers need. A product has the words of both factors, so it never overflows; sums have the words of their
+// terms, and wrap around: whoever adds knows that the result fits. Private to the oracle.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "oracle/int192.h"
+
+namespace plumbline {
+
+template <int words>
+struct WideInt {
+  std::uint64_t word[words] = {};  ///< the least significant first
+
+  WideInt() = default;
+  explicit WideInt(Int128 x) requires(words == 2)
+      : word{static_cast<std::uint64_t>(x), static_cast<std::uint64_t>(x >> 64)} {}
+
+  bool is_negative() const { return static_cast<std::int64_t>(word[words - 1]) < 0; }
+  int sign() const {  // without a branch: signs are what can't be predicted
+    std::uint64_t any = 0;
+    for (const std::uint64_t w : word) any |= w;
+    return (any != 0 ? 1 : 0) - 2 * (is_negative() ? 1 : 0);
+  }
+};
+
+template <int words>
+WideInt<words> operator+(const WideInt<words>& x, const WideInt<words>& y) {
+  WideInt<words> r;
+  Word128 carry = 0;
+  for (int k = 0; k < words; ++k) {
+    carry += static_cast<Word128>(x.word[k]) + y.word[k];
+    r.word[k] = static_cast<std::uint64_t>(carry);
+    carry >>= 64;
+  }
+  return r;
+}
+
+template <int words>
+WideInt<words> operator-(const WideInt<words>& x, const WideInt<words>& y) {
+  WideInt<words> r;
+  std::uint64_t borrow = 0;
+  for (int k = 0; k < words; ++k) {
+    const Word128 difference = static_cast<Word128>(x.word[k]) - y.word[k] - borrow;
+    r.word[k] = static_cast<std::uint64_t>(difference);
+    borrow = static_cast<std::uint64_t>(difference >> 64) & 1;
+  }
+  return r;
+}
+
+template <int words>
+WideInt<words> operator-(const WideInt<words>& x) {
+  return WideInt<words>{} - x;
+}
+
+template <int m, int n>
+WideInt<m + n> operator*(const WideInt<m>& x, const WideInt<n>& y) {
+  WideInt<m + n> r;
+  for (int i = 0; i < m; ++i) {
+    Word128 carry = 0;
+    for (int j = 0; j < n; ++j) {
+      carry += static_cast<Word128>(x.word[i]) * y.word[j] + r.word[i + j];
+      r.word[i + j] = static_cast<std::uint64_t>(carry);
+      carry >>= 64;
+    }
+    r.word[i + n] = static_cast<std::uint64_t>(carry);
+  }
+  // Read without a sign, a negative x is x + 2^(64 m): y comes off where it was counted in the upper words.
+  // Alike y.
+  const std::uint64_t x_negative = x.is_negative() ? ~std::uint64_t{0} : 0,
+                      y_negative = y.is_negative() ? ~std::uint64_t{0} : 0;
+  WideInt<m> x_wrapped;
+  WideInt<n> y_wrapped;
+  for (int i = 0; i < m; ++i) x_wrapped.word[i] = x.word[i] & y_negative;
+  for (int j = 0; j < n; ++j) y_wrapped.word[j] = y.word[j] & x_negative;
+  WideInt<n> above_x;
+  std::copy(r.word + m, r.word + m + n, above_x.word);
+  above_x = above_x - y_wrapped;
+  std::copy(above_x.word, above_x.word + n, r.word + m);
+  WideInt<m> above_y;
+  std::copy(r.word + n, r.word + n + m, above_y.word);
+  above_y = above_y - x_wrapped;
+  std::copy(above_y.word, above_y.word + m, r.word + n);
+  return r;
+}
+
+template <int words>
+Leading leading(const WideInt<words>& x) {
+  const WideInt<words> m = x.is_negative() ? -x : x;
+  int top = words - 1;
+  while (m.word[top] == 0) --top;
+  const auto at = [&](int k) { return k >= 0 ? m.word[k] : 0; };
+  const std::uint64_t a = at(top), b = at(top - 1), c = at(top - 2);
+  const int up = std::countl_zero(a);
+  const auto joined = [up](std::uint64_t high, std::uint64_t low) {
+    return high << up | low >> 1 >> (63 - up);
+  };
+  return {joined(a, b), joined(b, c), 64 * top + 63 - up};
+}
+
+/// x, its 53 first bits alone: towards zero, in any rounding mode. |x| < 2^1023.
+template <int words>
+double truncated(const WideInt<words>& x) {
+  if (x.sign() == 0) return 0;
+  const Leading l = leading(x);
+  using F = FloatFormat<double>;
+  const std::uint64_t fraction = l.high >> 11 & F::fraction_mask;
+  const auto biased = static_cast<std::uint64_t>(l.exponent + F::max_exponent);
+  return from_bits<double>((x.is_negative() ? F::sign_bit : 0) | biased << F::fraction_bits | fraction);
+}
+
+// Vectors of them.
+template <int words>
+using WideVec = std::array<WideInt<words>, 3>;
+
+template <int words>
+WideVec<words> operator-(const WideVec<words>& p, const WideVec<words>& q) {
+  return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+}
+
+template <int m, int n>
+WideInt<m + n> dot(const WideVec<m>& p, const WideVec<n>& q) {
+  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+}
+
+template <int m, int n>
+WideVec<m + n> cross(const WideVec<m>& p, const WideVec<n>& q) {
+  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+}
+
+template <int words>
+bool is_zero(const WideVec<words>& v) {
+  return v[0].sign() == 0 && v[1].sign() == 0 && v[2].sign() == 0;
+}
+
+}  // namespace plumbline
