@@ -1,5 +1,6 @@
-// The largest of some coordinates in magnitude, and the unit in the last place there. Looks at bits only.
-// Private to the oracle.
+// The largest and the least of some coordinates in magnitude, and the unit in the last place there. Looks at
+// bits only: those of non-negative doubles are ordered as their values, infinity and NaN last. Private to the
+// oracle.
 #pragma once
 #include <algorithm>
 
@@ -9,7 +10,6 @@
 
 namespace plumbline {
 
-/// Those of non-negative doubles are ordered as their values, infinity and NaN last.
 template <class... Vecs>
 double largest_magnitude(const Vecs&... vecs) {
   std::uint64_t largest = 0;
@@ -17,6 +17,16 @@ double largest_magnitude(const Vecs&... vecs) {
     for (const double k : {v->x, v->y, v->z})
       largest = std::max(largest, to_bits(k) & ~FloatFormat<double>::sign_bit);
   return from_bits<double>(largest);
+}
+
+/// Of those that are not zero; where all are, some NaN.
+template <class... Vecs>
+double least_magnitude(const Vecs&... vecs) {
+  std::uint64_t below = ~FloatFormat<double>::sign_bit - 1;
+  for (const Vec3* v : {&vecs...})
+    for (const double k : {v->x, v->y, v->z})  // of zero, 1 less is more than anything
+      below = std::min(below, (to_bits(k) & ~FloatFormat<double>::sign_bit) - 1);
+  return from_bits<double>(below + 1);
 }
 
 inline double largest_coordinate(const Triangle& triangle, const Ray& ray) {

@@ -79,8 +79,9 @@ template <class Numbers>
 typename Numbers::Measure distance(const Sight<Numbers>& x, const RayEnd<Numbers>* low,
                                    const RayEnd<Numbers>* high) {
   Least<Numbers> least;
-  std::array<typename Numbers::Normal, 3> moment;
-  for (std::size_t k = 0; k < 3; ++k) moment[k] = Numbers::cross(x.to[k], x.direction);
+  const std::array<typename Numbers::Normal, 3> moment = {Numbers::cross(x.to[0], x.direction),
+                                                          Numbers::cross(x.to[1], x.direction),
+                                                          Numbers::cross(x.to[2], x.direction)};
   for (std::size_t k = 0; k < 3; ++k) {
     if (low != nullptr && Numbers::sign_of_dot(low->to[k], x.direction) < 0) continue;
     if (high != nullptr && Numbers::sign_of_dot(high->to[k], x.direction) > 0) continue;

@@ -1,9 +1,10 @@
 // How near a case is to another answer, fast: what a search climbs on.
 //
-// Signs and truth are exact. The doubles are within a relative 2^-40 of the exact values, subnormal and
-// infinite ones excepted (margins.cpp tells why); a finding itself is measured by severity.h. About half a
-// microsecond for full doubles over 72 binades and a range that begins and ends at 0 or nowhere; any other case
-// by way of GMP, up to a hundred times slower, its doubles rounded correctly.
+// Signs and truth are exact, in any rounding mode, with FTZ and DAZ. The doubles are within a relative 2^-40 of
+// the exact values (margins.cpp tells why), but for values that are subnormal or infinite; a finding itself is
+// measured by severity.h. A quarter to half a microsecond, for full doubles over 72 binades and a range that
+// begins and ends at 0 or nowhere; any other case by way of GMP, a hundred times slower, its doubles rounded
+// correctly.
 #pragma once
 #include <limits>
 #include <optional>

@@ -21,6 +21,10 @@ struct WideCase {
   WideVec<2> origin, direction, a, b, c;
   int point_unit = 0, direction_unit = 0;
 
+  /// Of numbers of which that is the largest in magnitude. Not looked at further where it is 0, infinite or
+  /// NaN.
+  static int unit(double largest) { return Decoded(largest).high() - bits; }
+
   /// No value where the coordinates are not such integers, or one is NaN or infinite. The direction may be
   /// zero.
   static std::optional<WideCase> make(const Triangle& triangle, const Ray& ray) {
@@ -28,8 +32,8 @@ struct WideCase {
     const double direction = largest_magnitude(ray.direction);
     if (!is_finite(point) || !is_finite(direction)) return std::nullopt;
     WideCase x;
-    x.point_unit = Decoded(point).high() - bits;
-    x.direction_unit = Decoded(direction).high() - bits;
+    x.point_unit = unit(point);
+    x.direction_unit = unit(direction);
     std::uint64_t lost = 0;
     x.origin = scaled(ray.origin, x.point_unit, lost);
     x.direction = scaled(ray.direction, x.direction_unit, lost);
@@ -48,13 +52,14 @@ struct WideCase {
   static WideInt<2> scaled(double x, int unit, std::uint64_t& lost) {
     const Decoded k(x);
     const int up = k.exponent - unit;  // at most bits - 53
-    if (up < 0) {
+    Word128 magnitude = static_cast<Word128>(k.significand) << std::max(up, 0);
+    if (up < 0 && k.significand != 0) {
       const int down = std::min(-up, 63);
+      magnitude >>= down;
       lost |= k.significand & ((std::uint64_t{1} << down) - 1);
     }
-    const auto magnitude = up < 0 ? static_cast<Int128>(k.significand >> std::min(-up, 63))
-                                  : static_cast<Int128>(k.significand) << up;
-    return WideInt<2>(k.negative ? -magnitude : magnitude);
+    const Int128 negative = k.negative ? -1 : 0;
+    return WideInt<2>((static_cast<Int128>(magnitude) ^ negative) - negative);
   }
 };
 

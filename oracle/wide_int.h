@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "case/float_bits.h"
 #include "oracle/int192.h"
 
 namespace plumbline {
@@ -56,34 +57,41 @@ WideInt<words> operator-(const WideInt<words>& x) {
   return WideInt<words>{} - x;
 }
 
+/// sum += x * y
 template <int m, int n>
-WideInt<m + n> operator*(const WideInt<m>& x, const WideInt<n>& y) {
-  WideInt<m + n> r;
+[[gnu::always_inline]] inline void add_product(WideInt<m + n>& sum, const WideInt<m>& x, const WideInt<n>& y) {
   for (int i = 0; i < m; ++i) {
     Word128 carry = 0;
     for (int j = 0; j < n; ++j) {
-      carry += static_cast<Word128>(x.word[i]) * y.word[j] + r.word[i + j];
-      r.word[i + j] = static_cast<std::uint64_t>(carry);
+      carry += static_cast<Word128>(x.word[i]) * y.word[j] + sum.word[i + j];
+      sum.word[i + j] = static_cast<std::uint64_t>(carry);
       carry >>= 64;
     }
-    r.word[i + n] = static_cast<std::uint64_t>(carry);
+    for (int k = i + n; k < m + n; ++k) {
+      carry += sum.word[k];
+      sum.word[k] = static_cast<std::uint64_t>(carry);
+      carry >>= 64;
+    }
   }
-  // Read without a sign, a negative x is x + 2^(64 m): y comes off where it was counted in the upper words.
-  // Alike y.
-  const std::uint64_t x_negative = x.is_negative() ? ~std::uint64_t{0} : 0,
-                      y_negative = y.is_negative() ? ~std::uint64_t{0} : 0;
-  WideInt<m> x_wrapped;
-  WideInt<n> y_wrapped;
-  for (int i = 0; i < m; ++i) x_wrapped.word[i] = x.word[i] & y_negative;
-  for (int j = 0; j < n; ++j) y_wrapped.word[j] = y.word[j] & x_negative;
-  WideInt<n> above_x;
-  std::copy(r.word + m, r.word + m + n, above_x.word);
-  above_x = above_x - y_wrapped;
-  std::copy(above_x.word, above_x.word + n, r.word + m);
-  WideInt<m> above_y;
-  std::copy(r.word + n, r.word + n + m, above_y.word);
-  above_y = above_y - x_wrapped;
-  std::copy(above_y.word, above_y.word + m, r.word + n);
+  // Read without a sign, a negative x is x + 2^(64 m): y comes off where it was counted above. Alike y.
+  const std::uint64_t x_negative = x.is_negative() ? ~std::uint64_t{0} : 0;
+  const std::uint64_t y_negative = y.is_negative() ? ~std::uint64_t{0} : 0;
+  const auto subtract = [&sum](int from, const auto& words, int count, std::uint64_t mask) {
+    std::uint64_t borrow = 0;
+    for (int k = 0; k < count; ++k) {
+      const Word128 difference = static_cast<Word128>(sum.word[from + k]) - (words[k] & mask) - borrow;
+      sum.word[from + k] = static_cast<std::uint64_t>(difference);
+      borrow = static_cast<std::uint64_t>(difference >> 64) & 1;
+    }
+  };
+  subtract(m, y.word, n, x_negative);
+  subtract(n, x.word, m, y_negative);
+}
+
+template <int m, int n>
+WideInt<m + n> operator*(const WideInt<m>& x, const WideInt<n>& y) {
+  WideInt<m + n> r;
+  add_product(r, x, y);
   return r;
 }
 
@@ -123,7 +131,11 @@ WideVec<words> operator-(const WideVec<words>& p, const WideVec<words>& q) {
 
 template <int m, int n>
 WideInt<m + n> dot(const WideVec<m>& p, const WideVec<n>& q) {
-  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+  WideInt<m + n> sum;
+  add_product(sum, p[0], q[0]);
+  add_product(sum, p[1], q[1]);
+  add_product(sum, p[2], q[2]);
+  return sum;
 }
 
 template <int m, int n>

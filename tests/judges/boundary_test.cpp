@@ -36,12 +36,18 @@ mpq_class value(Shot shot, Decision decision, int k, double x) {
   coordinate(shot, k) = x;
   const Determinants d = mpq_determinants(shot.triangle, shot.ray);
   switch (decision) {
-    case Decision::ab: return d.w_ab;
-    case Decision::bc: return d.w_bc;
-    case Decision::ca: return d.w_ca;
-    case Decision::det: return d.det;
-    case Decision::t_min: return d.T - mpq_class(shot.ray.t_min) * d.det;
-    case Decision::t_max: return d.T - mpq_class(shot.ray.t_max) * d.det;
+    case Decision::ab:
+      return d.w_ab;
+    case Decision::bc:
+      return d.w_bc;
+    case Decision::ca:
+      return d.w_ca;
+    case Decision::det:
+      return d.det;
+    case Decision::t_min:
+      return d.T - mpq_class(shot.ray.t_min) * d.det;
+    case Decision::t_max:
+      return d.T - mpq_class(shot.ray.t_max) * d.det;
   }
   return 0;
 }

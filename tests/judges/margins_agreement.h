@@ -8,9 +8,9 @@
 
 namespace plumbline::judges {
 
-/// Each coordinate is 0 (one in twelve) or has any significand and an exponent uniform in [-40, 20), or, of
-/// binary32,
-/// [-30, 20); one shot in four is of small dyadic numbers. The range is [0, inf] or all t.
+/// Half of the shots: each coordinate is 0 (one in twelve) or has any significand and an exponent in [-40, 20),
+/// or, of binary32, [-30, 20). A quarter: small dyadic numbers. A quarter: those with powers of two added. The
+/// range is [0, inf] or all t.
 Shot draw_spread(std::mt19937_64& random, Precision precision);
 
 /// Puts the ray on a boundary, exactly where the coordinate allows, and moves the coordinate by up to `ulps`

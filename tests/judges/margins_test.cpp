@@ -1,6 +1,8 @@
 // A hundred thousand margins: all families, the numbers that a search draws, and cases solved onto boundaries.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "tests/judges/margins_agreement.h"
@@ -44,6 +46,43 @@ TEST_P(MarginsOfSpreadCases, AgreeWithTruthSeverityAndExactRationals) {
 INSTANTIATE_TEST_SUITE_P(Precisions, MarginsOfSpreadCases,
                          testing::Values(Precision::binary32, Precision::binary64),
                          [](const auto& info) { return std::string(name(info.param)); });
+
+TEST(Margins, AtAndPastTheEndsOfTheExponentsTheyTake) {
+  MarginsChecked checked;
+  const std::array exponents = {-1040, -700, -430, -302, -301, -300, -299, 0,
+                                297,   298,  299,  300,  301,  700,  1000};
+  for (const int points : exponents)
+    for (const int direction : exponents)
+      for (const Family family : {Family::exact_edge12, Family::ulp12, Family::small_far}) {
+        Shot shot = draw(family, seed() + 9, checked.cases);
+        auto& [triangle, ray] = shot;
+        for (Vec3* p : {&triangle.a, &triangle.b, &triangle.c, &ray.origin})
+          *p = {std::ldexp(p->x, points), std::ldexp(p->y, points), std::ldexp(p->z, points)};
+        Vec3& d = ray.direction;
+        d = {std::ldexp(d.x, direction), std::ldexp(d.y, direction), std::ldexp(d.z, direction)};
+        ASSERT_NO_FATAL_FAILURE(check_margins(shot, Precision::binary64, false, checked));
+      }
+  EXPECT_GT(checked.measured, 500u);
+}
+
+// The widest integers: coordinates of 125 bits of each sign, or of one unit of the grid, of which there are
+// less than 2^15 patterns that matter.
+TEST(Margins, OfTheWidestIntegers) {
+  constexpr double most = 0x1.fffffffffffffp+124;
+  MarginsChecked checked;
+  for (unsigned pattern = 0; pattern < 1u << 15; pattern += 5) {
+    const auto vec = [pattern](unsigned first) {
+      const auto x = [pattern](unsigned k) {
+        const double magnitude = (pattern * 7 + k * k) % 5 == 0 ? 1 : most;
+        return (pattern >> k & 1) != 0 ? -magnitude : magnitude;
+      };
+      return Vec3{x(first), x(first + 1), x(first + 2)};
+    };
+    const Shot shot{{vec(0), vec(3), vec(6)}, {vec(9), vec(12)}};
+    ASSERT_NO_FATAL_FAILURE(check_margins(shot, Precision::binary64, pattern % 64 == 0, checked));
+  }
+  EXPECT_GT(checked.measured, 3000u);
+}
 
 }  // namespace
 }  // namespace plumbline::judges
