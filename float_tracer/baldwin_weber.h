@@ -50,12 +50,15 @@ struct BaldwinWeber {
   };
   using PreparedRay = KernelRay<Real>;
 
-  static std::optional<KernelHit<Real>> intersect(const PreparedTriangle& map, const PreparedRay& ray) {
+  template <class Why = Unasked>
+  static std::optional<KernelHit<Real>> intersect(const PreparedTriangle& map, const PreparedRay& ray,
+                                                  Why why = {}) {
     const Real t = -map.z.of_point(ray.origin) / map.z.of_direction(ray.direction);
-    if (!ray.holds(t)) return std::nullopt;
+    if (!ray.holds(t)) return missed_by(Rejection::t, why);
     const Real u = map.u.of_point(ray.origin) + t * map.u.of_direction(ray.direction);
     const Real v = map.v.of_point(ray.origin) + t * map.v.of_direction(ray.direction);
-    if (!(u >= 0 && v >= 0 && u + v <= 1)) return std::nullopt;
+    if (!(u >= 0 && v >= 0 && u + v <= 1))
+      return missed_by([=] { return !(u >= 0) ? Rejection::ca : !(v >= 0) ? Rejection::ab : Rejection::bc; }, why);
     return KernelHit<Real>{t, u, v};
   }
 };

@@ -28,6 +28,13 @@ class PreparedKernelBag final : public PreparedBag {
       triangles_.emplace_back(KernelTriangle<Real>{to_vec<Real>(t.a), to_vec<Real>(t.b), to_vec<Real>(t.c)});
   }
 
+  Rejection rejection(const Ray& ray) override {
+    Answer unread;
+    Rejection why = Rejection::none;
+    if (triangles_.size() == 1) answer_of(triangles_.front(), {&ray, 1}, {&unread, 1}, &why);
+    return why;
+  }
+
  private:
   void answer(std::span<const Ray> rays, std::span<Answer> answers) override {
     if (triangles_.size() == 1) return answer_of(triangles_.front(), rays, answers);
@@ -36,11 +43,14 @@ class PreparedKernelBag final : public PreparedBag {
 
   // One triangle, the commonest bag: nothing is compared. Flat, that is with the kernel inlined: an optional returned
   // through memory is read in other pieces than it was written in, and the processor waits for it, which takes longer
-  // than the kernel. The triangle isn't copied for the same reason.
-  [[gnu::flatten]] static void answer_of(const typename Kernel::PreparedTriangle& triangle, std::span<const Ray> rays,
-                                         std::span<Answer> answers) {
+  // than the kernel. The triangle isn't copied for the same reason. Not inlined, so that it's the same loop whether or
+  // not it is asked why: in variants/ the compiler may reorder sums, and does so by what is around them.
+  template <class Why = Unasked>
+  [[gnu::flatten, gnu::noinline]] static void answer_of(const typename Kernel::PreparedTriangle& triangle,
+                                                        std::span<const Ray> rays, std::span<Answer> answers,
+                                                        Why why = {}) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      const auto hit = Kernel::intersect(triangle, prepare(rays[i]));
+      const auto hit = Kernel::intersect(triangle, prepare(rays[i]), why);
       answers[i] = hit ? to_answer(*hit, 0) : Answer{};
     }
   }

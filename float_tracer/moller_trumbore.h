@@ -25,22 +25,24 @@ struct MollerTrumbore {
   };
   using PreparedRay = KernelRay<Real>;
 
-  static std::optional<KernelHit<Real>> intersect(const PreparedTriangle& triangle, const PreparedRay& ray) {
+  template <class Why = Unasked>
+  static std::optional<KernelHit<Real>> intersect(const PreparedTriangle& triangle, const PreparedRay& ray,
+                                                  Why why = {}) {
     const Vec<Real> p = cross(ray.direction, triangle.ac);
     const Real det = dot(triangle.ab, p);
-    if (det == 0) return std::nullopt;
+    if (det == 0) return missed_by(Rejection::parallel, why);
     const Real inverse = 1 / det;
 
     const Vec<Real> from_a = ray.origin - triangle.a;
     const Real u = dot(from_a, p) * inverse;
-    if (!(u >= 0 && u <= 1)) return std::nullopt;
+    if (!(u >= 0 && u <= 1)) return missed_by([=] { return !(u >= 0) ? Rejection::ca : Rejection::bc; }, why);
 
     const Vec<Real> q = cross(from_a, triangle.ab);
     const Real v = dot(ray.direction, q) * inverse;
-    if (!(v >= 0 && u + v <= 1)) return std::nullopt;
+    if (!(v >= 0 && u + v <= 1)) return missed_by([=] { return !(v >= 0) ? Rejection::ab : Rejection::bc; }, why);
 
     const Real t = dot(triangle.ac, q) * inverse;
-    if (!ray.holds(t)) return std::nullopt;
+    if (!ray.holds(t)) return missed_by(Rejection::t, why);
     return KernelHit<Real>{t, u, v};
   }
 };

@@ -42,15 +42,18 @@ struct Plucker {
     Line line;
   };
 
-  static std::optional<KernelHit<Real>> intersect(const PreparedTriangle& triangle, const PreparedRay& r) {
+  template <class Why = Unasked>
+  static std::optional<KernelHit<Real>> intersect(const PreparedTriangle& triangle, const PreparedRay& r,
+                                                  Why why = {}) {
     const Real wa = side(r.line, triangle.bc), wb = side(r.line, triangle.ca), wc = side(r.line, triangle.ab);
     const bool front = wa >= 0 && wb >= 0 && wc >= 0, back = wa <= 0 && wb <= 0 && wc <= 0;
-    if (front == back) return std::nullopt;  // outside; or all three zero: the ray runs in the plane
+    if (front == back)  // outside; or all three zero: the ray runs in the plane
+      return missed_by([=] { return edge_against(wa, wb, wc); }, why);
 
     const Real slope = dot(triangle.normal, r.ray.direction);
-    if (slope == 0) return std::nullopt;
+    if (slope == 0) return missed_by(Rejection::parallel, why);
     const Real t = dot(triangle.normal, triangle.a - r.ray.origin) / slope;
-    if (!r.ray.holds(t)) return std::nullopt;
+    if (!r.ray.holds(t)) return missed_by(Rejection::t, why);
     const Real sum = wa + wb + wc;
     return KernelHit<Real>{t, wb / sum, wc / sum};
   }

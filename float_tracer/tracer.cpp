@@ -4,8 +4,9 @@
 
 namespace plumbline {
 
-// Not in the header: a file compiled for a processor with FMA would leave its copy of it to the linker.
+// Not in the header: a file compiled for a processor with FMA would leave its copies of them to the linker.
 Query PreparedBag::asked(const Ray& ray) { return ray; }
+Rejection PreparedBag::rejection(const Ray&) { return Rejection::none; }
 
 void PreparedBag::trace(std::span<const Ray> rays, std::span<Answer> answers) {
   const FloatEnvironment before;

@@ -9,6 +9,7 @@
 #include "case/contract.h"
 #include "case/query.h"
 #include "float_tracer/conduct.h"
+#include "float_tracer/rejection.h"
 
 namespace plumbline {
 
@@ -24,6 +25,10 @@ class PreparedBag {
   /// What the tracer is really asked for this ray, which its interface may not hold; t of the answer counts in it. The
   /// ray itself unless TracerInfo::own_queries.
   virtual Query asked(const Ray& ray);
+
+  /// Which of its tests a miss of this ray failed first; none: it hits, or the tracer doesn't tell. No tracer tells of
+  /// a bag that isn't one triangle.
+  virtual Rejection rejection(const Ray& ray);
 
   /// Whether a call of trace, up to now, left the floating-point controls changed.
   bool disturbed() const { return conduct_.disturbed; }

@@ -37,7 +37,9 @@ struct WoopWatertight {
     Real sx, sy, sz;
   };
 
-  static std::optional<KernelHit<Real>> intersect(const PreparedTriangle& triangle, const PreparedRay& r) {
+  template <class Why = Unasked>
+  static std::optional<KernelHit<Real>> intersect(const PreparedTriangle& triangle, const PreparedRay& r,
+                                                  Why why = {}) {
     const Vec<Real> a = triangle.a - r.ray.origin, b = triangle.b - r.ray.origin, c = triangle.c - r.ray.origin;
     const Real ax = a[r.kx] - r.sx * a[r.kz], ay = a[r.ky] - r.sy * a[r.kz];
     const Real bx = b[r.kx] - r.sx * b[r.kz], by = b[r.ky] - r.sy * b[r.kz];
@@ -54,14 +56,14 @@ struct WoopWatertight {
       }
     }
     const bool front = wa >= 0 && wb >= 0 && wc >= 0, back = wa <= 0 && wb <= 0 && wc <= 0;
-    if (!front && !back) return std::nullopt;
+    if (!front && !back) return missed_by([=] { return edge_against(wa, wb, wc); }, why);
     const Real det = wa + wb + wc;
-    if (det == 0) return std::nullopt;
+    if (det == 0) return missed_by(Rejection::parallel, why);
 
     // t against its range before the division: the scaled t is t * |det|.
     const Real scaled = wa * (r.sz * a[r.kz]) + wb * (r.sz * b[r.kz]) + wc * (r.sz * c[r.kz]);
     const Real scaled_t = det < 0 ? -scaled : scaled, scale = std::abs(det);
-    if (!(scaled_t >= r.ray.t_min * scale && scaled_t <= r.ray.t_max * scale)) return std::nullopt;
+    if (!(scaled_t >= r.ray.t_min * scale && scaled_t <= r.ray.t_max * scale)) return missed_by(Rejection::t, why);
     const Real inverse = 1 / det;
     return KernelHit<Real>{scaled * inverse, wb * inverse, wc * inverse};
   }

@@ -10,17 +10,20 @@ namespace {
 
 // The edges belong to the triangle. The normal isn't of unit length, so what counts as parallel depends on the area. A
 // NaN, where huge numbers overflow, passes every comparison.
-std::optional<double> intersect(const Solid& solid, const Vector& origin, const Vector& direction) {
+template <class Why>
+std::optional<double> intersect(const Solid& solid, const Vector& origin, const Vector& direction, Why why) {
   const Face& face = solid.face;
   const double slope = dot(face.cross, direction), size = std::abs(slope);
-  if (size < least_slope) return std::nullopt;
+  if (size < least_slope) return missed_by(Rejection::parallel, why);
   const double least = -solid.margin, most = solid.margin + size;
   const Vector to_a = face.a - origin, x = cross(to_a, direction);
   const double along_ac = dot(face.ac, x), alpha = slope < 0 ? -along_ac : along_ac;
-  if (alpha < least || alpha > most) return std::nullopt;
+  if (alpha < least || alpha > most)
+    return missed_by([=] { return alpha < least ? Rejection::ca : Rejection::bc; }, why);
   const double along_ab = dot(face.ab, x), beta = slope > 0 ? -along_ab : along_ab;
-  if (beta < least || beta > most) return std::nullopt;
-  if (alpha + beta > most) return std::nullopt;
+  if (beta < least || beta > most)
+    return missed_by([=] { return beta < least ? Rejection::ab : Rejection::bc; }, why);
+  if (alpha + beta > most) return missed_by(Rejection::bc, why);
   return dot(to_a, face.cross) / slope;
 }
 
@@ -33,9 +36,11 @@ struct Classic {
             .source = std::string(source),
             .contract = {.range = RangeRule::ray, .t_min = EndRule::unspecified}};
   }
-  static std::optional<Segment> shoot(const Solid& solid, const Vector& origin, const Vector& direction) {
-    return shoot_model(solid, origin, direction,
-                       [](const Solid& s, const Entry& entry) { return intersect(s, entry.point, entry.direction); });
+  template <class Why>
+  static std::optional<Segment> shoot(const Solid& solid, const Vector& origin, const Vector& direction, Why why) {
+    return shoot_model(solid, origin, direction, why, [why](const Solid& s, const Entry& entry) {
+      return intersect(s, entry.point, entry.direction, why);
+    });
   }
 };
 
@@ -46,10 +51,13 @@ struct ClassicKernel {
             .source = std::string(source),
             .contract = {.range = RangeRule::line, .t_min = EndRule::unspecified}};
   }
-  static std::optional<Segment> shoot(const Solid& solid, const Vector& origin, const Vector& direction) {
-    const std::optional<double> t = intersect(solid, origin, direction);
+  template <class Why>
+  static std::optional<Segment> shoot(const Solid& solid, const Vector& origin, const Vector& direction, Why why) {
+    const std::optional<double> t = intersect(solid, origin, direction, why);
     if (!t) return std::nullopt;
-    return segment_at(solid, direction, *t);
+    const std::optional<Segment> segment = segment_at(solid, direction, *t);
+    if (!segment) missed_by(Rejection::segment, why);
+    return segment;
   }
 };
 

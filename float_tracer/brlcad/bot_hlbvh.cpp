@@ -25,14 +25,17 @@ bool meets(const Box& box, const Entry& entry) {
   return !(far < -1e-77 || near > far);
 }
 
-std::optional<double> intersect(const Face& face, const Vector& origin, const Vector& direction) {
+template <class Why>
+std::optional<double> intersect(const Face& face, const Vector& origin, const Vector& direction, Why why) {
   const Vector normal = std::sqrt(dot(face.cross, face.cross)) * face.unit_normal;  // rounded again: not face.cross
   const double slope = dot(normal, direction), size = std::abs(slope);
-  if (size < least_slope) return std::nullopt;
+  if (size < least_slope) return missed_by(Rejection::parallel, why);
   const Vector to_a = face.a - origin, x = cross(to_a, direction);
   const double along_ab = dot(face.ab, x), beta = slope > 0 ? -along_ab : along_ab;
   const double along_ac = dot(face.ac, x), gamma = slope < 0 ? -along_ac : along_ac;
-  if (!(beta >= 0 && gamma >= 0 && beta + gamma <= size)) return std::nullopt;
+  if (!(beta >= 0 && gamma >= 0 && beta + gamma <= size))
+    return missed_by([=] { return !(beta >= 0) ? Rejection::ab : !(gamma >= 0) ? Rejection::ca : Rejection::bc; },
+                     why);
   return dot(to_a, normal) / slope;
 }
 
@@ -43,10 +46,11 @@ struct Hlbvh {
             .source = "BRL-CAD 7.42 to 7.44, librt, with the ray walk of 7.24.2",
             .contract = {.range = RangeRule::ray, .t_min = EndRule::unspecified}};
   }
-  static std::optional<Segment> shoot(const Solid& solid, const Vector& origin, const Vector& direction) {
-    return shoot_model(solid, origin, direction, [](const Solid& s, const Entry& entry) -> std::optional<double> {
-      if (!meets(s.face_box, entry)) return std::nullopt;
-      return intersect(s.face, entry.point, entry.direction);
+  template <class Why>
+  static std::optional<Segment> shoot(const Solid& solid, const Vector& origin, const Vector& direction, Why why) {
+    return shoot_model(solid, origin, direction, why, [why](const Solid& s, const Entry& entry) {
+      if (!meets(s.face_box, entry)) return std::optional<double>(missed_by(Rejection::box, why));
+      return intersect(s.face, entry.point, entry.direction, why);
     });
   }
 };

@@ -1,8 +1,8 @@
 // What the BRL-CAD tracers share: one face per bag, two ways to shoot at it, and the answer.
 //
 // A rule of BRL-CAD is a type with
-//   info()                 the TracerInfo;
-//   shoot(solid, o, d)     std::optional<Segment>, empty for a miss.
+//   info()                    the TracerInfo;
+//   shoot(solid, o, d, why)   std::optional<Segment>, empty for a miss: then `why` is told by which test.
 // Limits, Outcome::fault beyond them: a bag has exactly one triangle (what several do to each other is not modelled),
 // every coordinate and the thickness is finite, and so is every side of the triangle's box (BRL-CAD takes an object for
 // infinite where that overflows, and walks otherwise). t_min and t_max are not read. BRL-CAD reports where a ray enters
@@ -30,16 +30,20 @@ inline bool within_limits(const Bag& bag) {
   return finite(a) && finite(b) && finite(c) && finite({side(a.x, b.x, c.x), side(a.y, b.y, c.y), side(a.z, b.z, c.z)});
 }
 
-/// Shoots through the walk: `test(solid, entry)` gives the parameter of the hit as seen from the moved origin, if any.
-template <class Test>
-std::optional<Segment> shoot_model(const Solid& solid, const Vector& origin, const Vector& direction, Test test) {
-  const std::optional<Entry> entry = enter(solid.model_box, origin, direction);
+/// Shoots through the walk: `test(solid, entry)` gives the parameter of the hit as seen from the moved origin, if any,
+/// and tells `why`.
+template <class Why, class Test>
+std::optional<Segment> shoot_model(const Solid& solid, const Vector& origin, const Vector& direction, Why why,
+                                   Test test) {
+  const std::optional<Entry> entry = enter(solid.model_box, origin, direction, why);
   if (!entry) return std::nullopt;
   const std::optional<double> t = test(solid, *entry);
   if (!t) return std::nullopt;
   const std::optional<Segment> segment = segment_at(solid, entry->direction, *t);
-  if (!segment) return std::nullopt;
-  return weave({segment->in + entry->moved, segment->out + entry->moved});
+  if (!segment) return missed_by(Rejection::segment, why);
+  const std::optional<Segment> woven = weave({segment->in + entry->moved, segment->out + entry->moved});
+  if (!woven) missed_by(Rejection::t, why);
+  return woven;
 }
 
 template <class Rule>
@@ -49,15 +53,25 @@ class PreparedBot final : public PreparedBag {
     if (possible_) solid_ = prepare_solid(bag);
   }
 
+  Rejection rejection(const Ray& ray) override {
+    Rejection why = Rejection::none;
+    shoot(ray, &why);
+    return why;
+  }
+
  private:
   void answer(std::span<const Ray> rays, std::span<Answer> answers) override {
     for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = shoot(rays[i]);
   }
 
-  Answer shoot(const Ray& ray) const {
+  template <class Why = Unasked>
+  Answer shoot(const Ray& ray, Why why = {}) const {
     if (!possible_ || !finite(ray.origin) || !finite(ray.direction)) return {.outcome = Outcome::fault};
-    if (!solid_) return {};
-    const auto segment = Rule::shoot(*solid_, to_vec<double>(ray.origin), to_vec<double>(ray.direction));
+    if (!solid_) {
+      missed_by(Rejection::face, why);
+      return {};
+    }
+    const auto segment = Rule::shoot(*solid_, to_vec<double>(ray.origin), to_vec<double>(ray.direction), why);
     if (!segment) return {};
     Answer answer{.outcome = Outcome::hit, .has_segment = true, .in = segment->in, .out = segment->out};
     if (solid_->mode != BagMode::plate) {

@@ -40,22 +40,23 @@ bool left_behind(const Box& box, const Vector& point, const Vector& direction) {
 
 }  // namespace
 
-std::optional<Entry> enter(const Box& model_box, const Vector& origin, const Vector& given_direction) {
+std::optional<Entry> enter(const Box& model_box, const Vector& origin, const Vector& given_direction,
+                           Rejection* why) {
   Vector direction = given_direction, inverse{};
   for (int i = 0; i < 3; ++i) {
     if (std::abs(direction[i]) <= zero_component) direction[i] = 0;
     inverse[i] = direction[i] == 0 ? infinity : 1 / direction[i];
   }
   const auto near = slab_test(model_box, origin, inverse);
-  if (!near) return std::nullopt;
+  if (!near) return missed_by(Rejection::box, why);
 
   const double moved = std::max(*near, -look_back) + distance_tolerance;
   const Vector point = origin + moved * direction;
-  if (left_behind(model_box, point, direction)) return std::nullopt;
+  if (left_behind(model_box, point, direction)) return missed_by(Rejection::nudge, why);
 
   // The box of the one solid's cell is the model's.
   const auto cell_near = slab_test(model_box, point, inverse);
-  if (!cell_near) return std::nullopt;
+  if (!cell_near) return missed_by(Rejection::nudge, why);
   return Entry{point, direction, moved, *cell_near};
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "float_tracer/brlcad/solid.h"
+#include "float_tracer/rejection.h"
 
 namespace plumbline::brlcad {
 
@@ -16,6 +17,8 @@ struct Entry {
 
 /// Empty if the walk ends before any triangle is tested: the ray misses the model's box, or the nudge of 0.0005 has
 /// taken it out again. So every ray whose way through the box is shorter than that is lost, even if it hits squarely.
-std::optional<Entry> enter(const Box& model_box, const Vector& origin, const Vector& direction);
+/// `why` is told which: Rejection::box or nudge.
+std::optional<Entry> enter(const Box& model_box, const Vector& origin, const Vector& direction,
+                           Rejection* why = nullptr);
 
 }  // namespace plumbline::brlcad

@@ -14,12 +14,23 @@ class Flushed final : public PreparedBag {
  public:
   explicit Flushed(std::unique_ptr<PreparedBag> bag) : bag_(std::move(bag)) {}
 
+  Rejection rejection(const Ray& ray) override {
+    Rejection why{};
+    flushed([&] { why = bag_->rejection(ray); });
+    return why;
+  }
+
  private:
   void answer(std::span<const Ray> rays, std::span<Answer> answers) override {
+    flushed([&] { bag_->trace(rays, answers); });
+  }
+
+  template <class Call>
+  static void flushed(Call call) {
     const FloatEnvironment before;
     _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
     _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
-    bag_->trace(rays, answers);
+    call();
     before.restore();
   }
 
