@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
   plumbline::add_compare(app);
   plumbline::add_lattice(app);
   plumbline::add_generate(app);
+  plumbline::add_convert(app);
   plumbline::add_classify(app);
   plumbline::add_trace(app);
   plumbline::add_judge(app, disagreement);

@@ -12,6 +12,7 @@ void add_sweep(CLI::App& app);
 void add_lattice(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_classify(CLI::App& app);
+void add_convert(CLI::App& app);
 void add_generate(CLI::App& app);
 void add_trace(CLI::App& app);
 void add_judge(CLI::App& app, bool& disagreement);
