@@ -6,31 +6,10 @@
 #include <limits>
 
 #include "case/float_bits.h"
+#include "case/random.h"
 
 namespace plumbline {
 namespace {
-
-// SplitMix64 (Steele, Lea, Flood, OOPSLA 2014): every seed and index starts a stream of its own.
-class Random {
- public:
-  Random(std::uint64_t seed, std::uint64_t index) : state_(seed * 0x9e3779b97f4a7c15u + index * 0xd1342543de82ef95u) { bits(); }
-  std::uint64_t bits() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
-  /// Uniform in [low, high].
-  std::int64_t integer(std::int64_t low, std::int64_t high) {
-    return low + static_cast<std::int64_t>(bits() % static_cast<std::uint64_t>(high - low + 1));
-  }
-  /// Uniform in (-1, 1), 53 bits.
-  double unit() { return static_cast<double>(integer(-(std::int64_t{1} << 53) + 1, (std::int64_t{1} << 53) - 1)) * 0x1p-53; }
-  bool chance(int one_in) { return bits() % static_cast<unsigned>(one_in) == 0; }
-
- private:
-  std::uint64_t state_;
-};
 
 template <class Draw>
 Vec3 vector(Draw draw) {
