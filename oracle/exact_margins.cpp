@@ -1,5 +1,7 @@
 #include "oracle/exact_margins.h"
 
+#include <cmath>
+
 #include "oracle/classify.h"
 #include "oracle/exact_severity.h"
 #include "oracle/largest.h"
@@ -18,11 +20,13 @@ std::optional<Margins> exact_margins(const Triangle& triangle, const Query& quer
   if (!s2) return std::nullopt;
   const double largest = largest_coordinate(triangle, query.ray);
   const Dyadic det2 = square(x.det), normal2 = square(x.normal), longest2 = squared_longest_edge(x);
-  const Dyadic ulp2(1, 2 * ulp_exponent_at(largest, precision));
+  const int ulp = ulp_exponent_at(largest, precision);
+  const Dyadic ulp2(1, 2 * ulp);
   const auto root = [](const Dyadic& p, const Dyadic& q) { return rounded_sqrt<double>(Quotient(p, q)); };
   Margins m{.truth = truth,
             .hit = hit,
             .severity = rounded_sqrt<double>(*s2),
+            .ulp = std::ldexp(1.0, ulp),
             .severity_ulps = root(s2->numerator, s2->denominator * ulp2),
             .sine = root(det2, square(x.direction) * normal2),
             .altitude = root(normal2, square(longest2)),
@@ -32,9 +36,11 @@ std::optional<Margins> exact_margins(const Triangle& triangle, const Query& quer
   const auto sign = [det](const Dyadic& w) { return static_cast<signed char>(w.sign() * det); };
   m.ab = sign(x.w_ab), m.bc = sign(x.w_bc), m.ca = sign(x.w_ca);
   m.t = rounded<double>(x.t()), m.u = rounded<double>(x.u()), m.v = rounded<double>(x.v());
+  m.w = rounded<double>(Quotient(x.w_bc, x.det));
   m.t_scale = root(det2, normal2);
   m.u_scale = root(det2, square(cross(x.e2, x.direction)));
   m.v_scale = root(det2, square(cross(x.e1, x.direction)));
+  m.w_scale = root(det2, square(cross(x.c - x.b, x.direction)));
   return m;
 }
 

@@ -201,7 +201,9 @@ std::optional<Margins> margins(const Triangle& triangle, const Query& query, Pre
   m.severity = (m.hit ? depth(x, low, high) : distance(x, low, high)) * unit;
 
   const double largest = largest_coordinate(triangle, ray);
-  m.severity_ulps = m.severity * power_of_two(-ulp_exponent_at(largest, precision));
+  const int ulp = ulp_exponent_at(largest, precision);
+  m.ulp = power_of_two(ulp);
+  m.severity_ulps = m.severity * power_of_two(-ulp);
   const double longest2 = std::max({x.edge[0].square, x.edge[1].square, x.edge[2].square});
   const double out_of_plane = Numbers::ratio(det, x.normal);
   m.sine = out_of_plane / std::sqrt(x.direction.square);
@@ -212,9 +214,11 @@ std::optional<Margins> margins(const Triangle& triangle, const Query& query, Pre
   m.t = T / det * (unit / direction_unit);
   m.u = x.w[2] / det;
   m.v = x.w[0] / det;
+  m.w = x.w[1] / det;
   m.t_scale = out_of_plane * direction_unit;
   m.u_scale = Numbers::ratio(det, x.across[2]) * unit;
   m.v_scale = Numbers::ratio(det, x.across[0]) * unit;
+  m.w_scale = Numbers::ratio(det, x.across[1]) * unit;
   return m;
 }
 

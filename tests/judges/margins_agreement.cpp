@@ -118,21 +118,24 @@ void check_numbers(const Shot& shot, const Margins& m) {
   ASSERT_EQ(m.bc, sgn(k.w_bc) * sign);
   ASSERT_EQ(m.ca, sgn(k.w_ca) * sign);
   if (sign == 0) {
-    ASSERT_TRUE(std::isnan(m.t) && std::isnan(m.u) && std::isnan(m.v));
-    ASSERT_TRUE(m.t_scale == 0 && m.u_scale == 0 && m.v_scale == 0);
+    ASSERT_TRUE(std::isnan(m.t) && std::isnan(m.u) && std::isnan(m.v) && std::isnan(m.w));
+    ASSERT_TRUE(m.t_scale == 0 && m.u_scale == 0 && m.v_scale == 0 && m.w_scale == 0);
     return;
   }
   ASSERT_NO_FATAL_FAILURE(expect_value(k.T / k.det, m.t, "t"));
   ASSERT_NO_FATAL_FAILURE(expect_value(k.w_ca / k.det, m.u, "u"));
   ASSERT_NO_FATAL_FAILURE(expect_value(k.w_ab / k.det, m.v, "v"));
+  ASSERT_NO_FATAL_FAILURE(expect_value(k.w_bc / k.det, m.w, "w"));
   ASSERT_NO_FATAL_FAILURE(expect_root(det2 / normal2, m.t_scale, "t_scale"));
   ASSERT_NO_FATAL_FAILURE(expect_root(det2 / squared_cross(e2, d), m.u_scale, "u_scale"));
   ASSERT_NO_FATAL_FAILURE(expect_root(det2 / squared_cross(e1, d), m.v_scale, "v_scale"));
+  ASSERT_NO_FATAL_FAILURE(expect_root(det2 / squared_cross(e3, d), m.w_scale, "w_scale"));
 }
 
 void check_severity(const Shot& shot, const Margins& m, const Severity& s, bool brute_force) {
   ASSERT_NO_FATAL_FAILURE(expect_near(s.length, m.severity, "severity"));
   ASSERT_NO_FATAL_FAILURE(expect_near(s.ulps, m.severity_ulps, "severity in ulps"));
+  if (s.length > 0) ASSERT_NO_FATAL_FAILURE(expect_near(s.length / s.ulps, m.ulp, "ulp"));
   if (!brute_force) return;
   const Rational s2 = squared_severity(shot.triangle, shot.ray, !m.hit);
   ASSERT_NO_FATAL_FAILURE(expect_root(mpq_class(s2.str()), m.severity, "severity by brute force"));

@@ -82,7 +82,8 @@ TEST(SearchEnvironments, GiveTheSameTruthsSignsAndRoots) {
       ASSERT_EQ(m->ca, e->ca);
       for (const auto member :
            {&Margins::severity, &Margins::severity_ulps, &Margins::sine, &Margins::altitude, &Margins::size,
-            &Margins::t, &Margins::u, &Margins::v, &Margins::t_scale, &Margins::u_scale, &Margins::v_scale})
+            &Margins::t, &Margins::u, &Margins::v, &Margins::w, &Margins::t_scale, &Margins::u_scale,
+            &Margins::v_scale, &Margins::w_scale})
         ASSERT_TRUE(near((*m).*member, (*e).*member)) << (*m).*member << ' ' << (*e).*member;
     }
   }
