@@ -10,9 +10,6 @@
 namespace plumbline {
 namespace {
 
-constexpr unsigned targets = 28, first_with_tolerance = 10;  // in the order of targets.h, of one tolerance
-constexpr std::size_t longest_input = 17 * sizeof(double);
-
 // The nominal domain's exponents: what is found there is an error of rounding, of no other kind. Kernels compute with
 // products of up to four coordinates, or differences of coordinates, with sums of such products and their quotients.
 // In binary64 a difference that isn't 0 is at least 2^-92, a difference of two products of two at least 2^-236, and
@@ -117,9 +114,9 @@ FuzzInput decode(std::span<const std::byte> bytes, Space space, Precision precis
       x = static_cast<double>(folded<Real>(load<Real>(next), role, domain));
       next += sizeof(Real);
     });
-    if (space == Space::target) input.target = static_cast<unsigned>(load<Real>(next) % targets);
+    if (space == Space::target) input.target = static_cast<unsigned>(load<Real>(next) % targets_of_a_triangle);
   });
-  if (input.target < first_with_tolerance) input.tolerance = 0;
+  if (input.target < first_target_with_tolerance) input.tolerance = 0;
   return input;
 }
 
@@ -145,7 +142,7 @@ bool in_domain(const FuzzInput& input, Domain domain) {
 
 Ray ray_of(const FuzzInput& input) {
   if (input.space == Space::ray) return input.ray;
-  std::array<Ray, targets> rays;
+  std::array<Ray, targets_of_a_triangle> rays;
   aim_rays(input.triangle, aiming_of(input), rays);
   return at_precision(rays[input.target], input.precision);
 }
@@ -174,7 +171,7 @@ std::optional<FuzzInput> from_case(const Case& what, Space space, Precision prec
   made.tolerance = what.aim->tolerance.value_or(0);
   made.standoff = what.aim->standoff;
   const std::vector<Aim> list = aims(aiming_of(made));
-  for (; made.target < targets; ++made.target)
+  for (; made.target < targets_of_a_triangle; ++made.target)
     if (list[made.target] == *what.aim && in_domain(made, Domain::full) && same(ray_of(made), what.ray)) return made;
   return std::nullopt;
 }

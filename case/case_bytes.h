@@ -29,6 +29,11 @@ enum class Domain : unsigned char {
 inline constexpr std::array<std::string_view, 2> domain_names = {"nominal", "full"};
 constexpr std::string_view name(Domain d) { return domain_names[static_cast<unsigned>(d)]; }
 
+/// Targets in the order of targets.h, of one tolerance: 4 interior, 6 vertex_edge, 18 at the tolerance.
+inline constexpr unsigned targets_of_a_triangle = 28, first_target_with_tolerance = 10;
+/// Bytes of the longest input.
+inline constexpr std::size_t longest_input = 17 * sizeof(double);
+
 /// What the bytes say, and no more.
 struct FuzzInput {
   Space space = Space::ray;

@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "case/answer.h"
 #include "case/case.h"
@@ -55,6 +56,8 @@ struct TracerInfo {
   std::string source;       ///< paper and section, or the function that is called
   std::string package = ""; ///< that it comes from, with its version; empty: written here
   Contract contract;
+  /// Lengths and limits of its own, near which its answers change: a search puts tolerances and standoffs there.
+  std::vector<double> constants = {};
   bool own_queries = false; ///< asks something else than the ray given: see PreparedBag::asked
   Isolation isolation = Isolation::none;
 };
