@@ -1,0 +1,57 @@
+#include "analysis/examine.h"
+
+#include <algorithm>
+#include <cfenv>
+#include <cmath>
+#include <limits>
+
+#include "case/float_bits.h"
+#include "oracle/classify.h"
+#include "oracle/judge.h"
+
+namespace plumbline {
+namespace {
+
+double off(double answered, double exact, double scale) {
+  if (!is_finite(answered)) return std::numeric_limits<double>::infinity();
+  return std::abs(answered - exact) * scale;
+}
+
+}  // namespace
+
+double Examination::severity_ulps() const {
+  if (!wrong() || !margins || margins->hit == (answer.outcome == Outcome::hit)) return 0;
+  return margins->severity_ulps;
+}
+
+Examiner::Examiner(const Tracer& tracer, Measure measure) : tracer_(tracer), measure_(measure) { bag_.triangles.resize(1); }
+
+Examination Examiner::examine(const Triangle& triangle, const Ray& ray) {
+  const Contract& contract = tracer_.info().contract;
+  bag_.triangles.front() = triangle;
+  std::feclearexcept(FE_OVERFLOW | FE_UNDERFLOW);
+  const auto bag = tracer_.prepare(bag_);
+  Examination e;
+  bag->trace({&ray, 1}, {&e.answer, 1});
+  e.out_of_range = std::fetestexcept(FE_OVERFLOW | FE_UNDERFLOW) != 0;
+  e.triangle = triangle;
+  const Query asked = bag->asked(ray);
+  e.query = searched_ray(asked, contract);
+  const auto measure = [&] { e.margins = margins(triangle, e.query, contract.precision); };
+  if (measure_ == Measure::all) measure();
+  e.truth = e.margins ? e.margins->truth : classify(triangle, e.query);
+  e.verdict = judge(triangle, asked, e.truth, e.answer, contract);
+  if (measure_ == Measure::wrong_answers && e.wrong()) measure();
+  if (e.margins && e.answer.outcome == Outcome::hit && e.truth.det_sign != 0) {
+    const Margins& m = *e.margins;
+    if (e.answer.has_t) e.residual = off(e.answer.t, m.t, m.t_scale) / m.ulp;
+    if (e.answer.has_uv)
+      e.displacement = std::max(off(e.answer.u, m.u, m.u_scale), off(e.answer.v, m.v, m.v_scale)) / m.ulp;
+  }
+  if (e.verdict == VerdictKind::false_miss) e.rejection = bag->rejection(ray);
+  e.died = !bag->conduct().deaths.empty();
+  conduct_ += bag->conduct();
+  return e;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,59 @@
+// What makes two findings of one tracer the same: how it is wrong, at which part of the triangle or ray, by which of its
+// own tests, and under which condition. How badly it is wrong (severity) is an attribute of a finding, no part of this.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "analysis/examine.h"
+#include "case/case.h"
+#include "float_tracer/rejection.h"
+
+namespace plumbline {
+
+enum class FindingKind : unsigned char {
+  false_miss,
+  false_hit,
+  not_finite,  ///< a hit that is one, with a t, u or v that is NaN or infinite
+  death,       ///< a tracer in a child died of it
+};
+inline constexpr std::array<std::string_view, 4> finding_kind_names = {"false-miss", "false-hit", "not-finite", "death"};
+constexpr std::string_view name(FindingKind k) { return finding_kind_names[static_cast<unsigned>(k)]; }
+
+/// What the answer has wrong. Of a false hit: the edge or, beyond two edges, the vertex that the line passes by; the
+/// end of the range that it would have to be beyond; or the plane that it runs beside. Of a false miss: the edge,
+/// vertex or end of the range that is nearest.
+enum class Element : unsigned char { none, ab, bc, ca, a, b, c, plane, t_min, t_max };
+inline constexpr std::array<std::string_view, 10> element_names = {"none", "ab", "bc", "ca",    "a",
+                                                                   "b",    "c",  "plane", "t_min", "t_max"};
+constexpr std::string_view name(Element e) { return element_names[static_cast<unsigned>(e)]; }
+
+/// Of what the case is ill-conditioned: the least of the three condition numbers, if it is below 2^-10. Before that:
+/// range, if a number of the tracer's over- or underflowed, so that findings of rounding and of range never mix.
+enum class Conditioning : unsigned char { nominal, grazing, sliver, far, range };
+inline constexpr std::array<std::string_view, 5> conditioning_names = {"nominal", "grazing", "sliver", "far", "range"};
+constexpr std::string_view name(Conditioning c) { return conditioning_names[static_cast<unsigned>(c)]; }
+
+struct Signature {
+  FindingKind kind = FindingKind::false_miss;
+  Element element = Element::none;
+  Rejection rejection = Rejection::none;  ///< of a false miss: the first wrong sign, where the tracer tells
+  bool boundary = false;  ///< wrong by its own rule on an exact edge, vertex or end of the range: severity 0
+  Conditioning conditioning = Conditioning::nominal;
+  unsigned char bucket = 0;  ///< the least condition number is at least 2^-5, 2^-10 (nominal ones); 2^-20, 2^-40; or less
+  bool lucky = false;        ///< the answer is what the author of the target wished
+  friend bool operator==(const Signature&, const Signature&) = default;
+
+  /// Equal where the signatures are, below 2^18.
+  std::uint32_t key() const;
+};
+
+/// No value where there is nothing to find: a right answer with finite numbers.
+std::optional<Signature> signature(const Examination& examination, Wish wish = Wish::none);
+
+/// One word: "false-hit-bc-nominal-c1", "false-miss-ab-by-t-grazing-c3-lucky".
+std::string to_word(const Signature& signature);
+
+}  // namespace plumbline
