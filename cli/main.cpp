@@ -33,6 +33,8 @@ int run(int argc, char** argv) {
   bool disagreement = false;
   plumbline::add_sweep(app);
   plumbline::add_compare(app);
+  plumbline::add_fuzz(app);
+  plumbline::add_shrink(app);
   plumbline::add_lattice(app);
   plumbline::add_generate(app);
   plumbline::add_convert(app);

@@ -26,8 +26,8 @@ ONLY_IN = {
     r"vtk\w+\.h": {"float_tracer/adapters"},
     r"brlcad/.*": {"float_tracer/adapters"},
     r"simdjson\.h": {"case"},
-    r"nlohmann/.*": set(),
-    r"CLI/.*": {"cli"},
+    r"nlohmann/.*": {"fuzz"},
+    r"CLI/.*": {"cli", "fuzz"},
     r"CGAL/.*": {"float_tracer/adapters", "analysis/bench/rivals"},
     r"boost/.*": {"analysis/bench/rivals"},
 }

@@ -1,0 +1,72 @@
+#include "fuzz/campaign.h"
+
+#include <algorithm>
+
+#include "case/targets.h"
+
+namespace plumbline {
+namespace {
+
+MutatorPlan mutator_plan(const CampaignPlan& plan) {
+  const TracerInfo& info = plan.tracer->info();
+  MutatorPlan p{.space = plan.space, .precision = info.contract.precision, .domain = plan.domain, .constants = info.constants};
+  for (const double slack : {info.contract.slack_absolute, info.contract.slack_relative})
+    if (slack > 0) p.constants.push_back(slack);
+  return p;
+}
+
+}  // namespace
+
+Campaign::Campaign(const CampaignPlan& plan)
+    : plan_(plan), mutator_(mutator_plan(plan)), examiner_(*plan.tracer, plan.search == Search::elites ? Measure::all : Measure::wrong_answers),
+       random_(plan.seed, plan.stream) {}
+
+FuzzInput Campaign::next() {
+  if (executions_ == 0) return mutator_.seed();
+  if (plan_.search != Search::elites) {
+    FuzzInput x = mutator_.fresh(random_);
+    for (auto n = random_.below(4); n > 0; --n) x = mutator_.changed(x, random_);
+    return x;
+  }
+  const Elite* parent = random_.chance(64) ? nullptr : elites_.parent(random_);
+  return mutator_.changed(parent ? parent->input : mutator_.fresh(random_), random_);
+}
+
+void Campaign::test(const FuzzInput& input) {
+  ++executions_;
+  examine(input, true);
+}
+
+void Campaign::recall(const FuzzInput& input) { examine(input, false); }
+
+void Campaign::examine(const FuzzInput& input, bool news) {
+  const Examination e = examiner_.examine(input.triangle, ray_of(input));
+  const Wish wish = wish_of(input);
+  const auto found = signature(e, wish);
+  features_ = features(e, found, wish);
+  if (news && !first_disagreement_ && features_.severity > 0) first_disagreement_ = executions_;
+  if (features_.nominal) worst_nominal_ = std::max(worst_nominal_, features_.severity);
+  if (plan_.search != Search::elites) return;
+  if (found) {
+    auto [at, is_new] = findings_.try_emplace(found->key());
+    if (is_new || features_.severity > at->second.ulps) {
+      at->second = {*found, features_.severity, news ? executions_ : 0, input};
+      auto [told, first] = told_.try_emplace(found->key(), features_.severity);
+      if (news && (first || features_.severity >= 2 * told->second) && (first || features_.severity > 0)) {
+        if (on_finding) on_finding(at->second);
+        told->second = features_.severity;
+      } else if (!news) {
+        told->second = std::max(told->second, features_.severity);
+      }
+    }
+  }
+  if (elites_.offer(input, features_) != 0 && on_elites) on_elites(elites_);
+}
+
+Wish wish_of(const FuzzInput& input) {
+  if (input.space == Space::ray) return Wish::none;
+  static const std::vector<Aim> wishes = aims({.tolerances = {1}});
+  return wishes[input.target].wish;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,121 @@
+#include "fuzz/findings_folder.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "analysis/case_files.h"
+#include "case/case_json.h"
+#include "case/case_text.h"
+#include "case/input_error.h"
+#include "case/json_object.h"
+#include "oracle/classify.h"
+#include "oracle/contact.h"
+#include "oracle/measure.h"
+
+namespace plumbline {
+namespace {
+
+namespace fs = std::filesystem;
+
+Expectation expectation(const Triangle& triangle, const Ray& ray) {
+  const Truth truth = classify(triangle, ray);
+  Expectation e;
+  e.hit_class = truth.hit_class;
+  e.feature = truth.feature;
+  e.hit = hit(triangle, ray, truth);
+  if (const auto at = measure<double>(triangle, ray)) e.t = at->t, e.u = at->u, e.v = at->v;
+  return e;
+}
+
+std::string measured(const Finding& finding) {
+  const Conditioning c = finding.signature.conditioning;
+  return fmt::format("severity {:.6g} ulps of the largest coordinate, {}{}", finding.ulps,
+                     c == Conditioning::nominal ? "" : "ill-conditioned: ", name(c));
+}
+
+// The severity that a case of ours says in its first comment.
+double severity_said(const fs::path& file) {
+  std::ifstream in(file);
+  std::string text((std::istreambuf_iterator<char>(in)), {});
+  constexpr std::string_view mark = "# severity ";
+  const auto at = text.find(mark);
+  return at == std::string::npos ? -1 : std::strtod(text.c_str() + at + mark.size(), nullptr);
+}
+
+}  // namespace
+
+Case to_case(const Finding& finding, const CampaignPlan& plan) {
+  Case c = to_case(finding.input);
+  const std::string& tracer = plan.tracer->info().name;
+  c.id = to_word(finding.signature);
+  c.provenance = {fmt::format("{} of {}", name(finding.signature.kind), tracer), measured(finding),
+                  fmt::format("found by fuzz: space {}, domain {}, seed {}, execution {}", name(plan.space),
+                              name(plan.domain), plan.seed, finding.execution)};
+  c.expect = expectation(c.bag.triangles.front(), c.ray);
+  if (finding.signature.kind == FindingKind::false_hit) c.known = {{tracer, VerdictKind::false_hit}};
+  if (finding.signature.kind == FindingKind::false_miss) c.known = {{tracer, VerdictKind::false_miss}};
+  return c;
+}
+
+FindingsFolder::FindingsFolder(fs::path path) : path_(std::move(path)), cases_(path_ / "findings") {
+  std::error_code error;
+  fs::create_directories(cases_, error);
+  if (!fs::is_directory(cases_))
+    throw InputError(fmt::format("{}: can't be made a folder: {}; name another", cases_.string(), error.message()));
+}
+
+bool FindingsFolder::tell(const Finding& finding, const CampaignPlan& plan) const {
+  const Signature& s = finding.signature;
+  std::string line;
+  JsonObject json(line);
+  json.text("signature", to_word(s));
+  json.text("tracer", plan.tracer->info().name);
+  json.text("kind", name(s.kind));
+  json.text("element", name(s.element));
+  json.text("rejection", name(s.rejection));
+  json.text("conditioning", name(s.conditioning));
+  json.number("severity_ulps", finding.ulps);
+  json.number("execution", static_cast<double>(finding.execution));
+  json.number("seed", static_cast<double>(plan.seed));
+  add_members(json, to_case(finding.input));
+  json.end_line();
+  // One append of a line is whole, whoever else appends.
+  const int file = open((path_ / "findings.ndjson").c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  const bool written = file >= 0 && write(file, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+  if (file >= 0) close(file);
+  return keep(finding, plan) && written;
+}
+
+bool FindingsFolder::keep(const Finding& finding, const CampaignPlan& plan) const {
+  const fs::path file = cases_ / (to_word(finding.signature) + ".case");
+  if (severity_said(file) > finding.ulps) return true;
+  const fs::path part = cases_ / fmt::format(".part.{}", getpid());
+  std::ofstream out(part);
+  out << to_text(to_case(finding, plan));
+  out.close();
+  std::error_code error;
+  if (out) fs::rename(part, file, error);
+  if (out && !error) return true;
+  fs::remove(part, error);
+  return false;
+}
+
+void FindingsFolder::recall(const FuzzInput& like, const std::function<void(const FuzzInput&)>& take) const {
+  if (count() == 0) return;
+  for (const std::string& file : case_files(cases_.string()))
+    for (const Case& found : read_cases(file))
+      if (const auto input = from_case(found, like.space, like.precision)) take(*input);
+}
+
+std::size_t FindingsFolder::count() const {
+  std::size_t n = 0;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(cases_, error)) n += entry.path().extension() == ".case";
+  return n;
+}
+
+}  // namespace plumbline
