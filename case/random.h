@@ -8,7 +8,8 @@ namespace plumbline {
 
 class Random {
  public:
-  /// Every seed and stream starts a sequence of its own.
+  /// Every seed and stream starts a sequence of its own; but those of neighbouring seeds are the same, one number apart,
+  /// so hash a seed that a user chooses, unless streams are short.
   Random(std::uint64_t seed, std::uint64_t stream) : state_(seed * 0x9e3779b97f4a7c15u + stream * 0xd1342543de82ef95u) {
     bits();
   }

@@ -8,10 +8,14 @@
 #include "analysis/bench/bench_oracle.h"
 #include "analysis/bench/bench_table.h"
 #include "case/enum_names.h"
+#include "analysis/tracers.h"
 #include "case/input_error.h"
 #include "case/real_text.h"
+#include "cli/number_options.h"
 #include "cli/output.h"
 #include "cli/verb.h"
+#include "fuzz/bench/fuzz_bench.h"
+#include "fuzz/launcher.h"
 
 namespace plumbline {
 namespace {
@@ -144,6 +148,66 @@ void add_interface(CLI::App& bench) {
   });
 }
 
+struct FuzzOptions {
+  FuzzBenchPlan plan;
+  std::string output = "-";
+  bool quick = false, json = false;
+};
+
+void run_fuzz(FuzzOptions o) {
+  FuzzBenchPlan& plan = o.plan;
+  if (o.quick) {
+    plan.executions = 50'000;
+    plan.seeds = 2;
+  }
+  if (plan.tracers.empty())
+    plan.tracers = {"moller_trumbore_f32", "moller_trumbore_f64", "woop_watertight_f32", "woop_watertight_f64",
+                    "plucker_f32",         "plucker_f64",         "embree_robust"};
+  if (plan.engines.empty()) plan.engines = {fuzz_engine_names.begin(), fuzz_engine_names.end()};
+  for (const std::string& tracer : plan.tracers) find_tracer(tracer);  // all of them are there, before hours go by
+  plan.program = fuzz_program();
+  Output output(o.output);
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  const auto runs = fuzz_bench(plan, [terminal](const std::string& what) {
+    if (terminal) show_progress(what);
+  });
+  if (terminal) show_progress("");
+  std::string command = fmt::format("plumbline bench fuzz --runs {} --seeds {}", plan.executions, plan.seeds);
+  for (const std::string& tracer : plan.tracers) command += " --tracer " + tracer;
+  output.write(o.json ? to_json_lines(plan, runs) : to_terminal(plan, runs, command));
+  output.finish();
+}
+
+void add_fuzz_bench(CLI::App& bench) {
+  auto options = std::make_shared<FuzzOptions>();
+  FuzzOptions& o = *options;
+  o.plan.store = "bench_fuzz.ndjson";
+  CLI::App* verb = bench.add_subcommand("fuzz", "How strong the search is, beside plain libFuzzer, random cases and the lattice");
+  verb->add_option("--tracer", o.plan.tracers, "Who is searched; repeatable (default: see below)")->type_name("NAME");
+  verb->add_option("--engine", o.plan.engines, "elites, fresh, raw, lattice; repeatable (default: all)")
+      ->check(CLI::IsMember(std::vector<std::string>(fuzz_engine_names.begin(), fuzz_engine_names.end())))
+      ->type_name("ENGINE");
+  verb->add_option("--runs", o.plan.executions, "Executions of each search")->check(whole_number())->type_name("N")->capture_default_str();
+  verb->add_option("--seeds", o.plan.seeds, "Searches of each kind")->check(CLI::Range(1u, 1000u))->type_name("N")->capture_default_str();
+  verb->add_option("--store", o.plan.store, "Keeps each search that is done: the same command goes on where it stopped")
+      ->type_name("FILE")
+      ->capture_default_str();
+  verb->add_flag("--quick", o.quick, "2 seeds of 50,000 executions: to try it out; the ratios mean little");
+  verb->add_flag("--json", o.json, "Print JSON, one search a line, with every rise of its worst severity");
+  verb->add_option("-o,--output", o.output, "Write to this file instead")->type_name("FILE");
+  verb->footer(
+      "Engines, one process at a time:\n"
+      "  elites    what 'plumbline fuzz' does\n"
+      "  fresh     the same mutator without feedback\n"
+      "  raw       plain libFuzzer: raw bytes, coverage of the kernels, the same decoder\n"
+      "  lattice   the report's lattice with normalized directions: once, it is finite\n"
+      "Default tracers: moller_trumbore, woop_watertight and plucker in both precisions, embree_robust. All of it takes\n"
+      "hours. Severities below half an ulp count as that in ratios; equal seconds: the shorter time of the two.\n"
+      "\nExample:\n"
+      "  plumbline bench fuzz --tracer moller_trumbore_f64 --runs 1000000 --seeds 5");
+  verb->callback([options] { run_fuzz(*options); });
+}
+
 }  // namespace
 
 void add_bench(CLI::App& app) {
@@ -151,6 +215,7 @@ void add_bench(CLI::App& app) {
   verb->require_subcommand(1);
   add_oracle(*verb);
   add_interface(*verb);
+  add_fuzz_bench(*verb);
 }
 
 }  // namespace plumbline

@@ -19,7 +19,7 @@ MutatorPlan mutator_plan(const CampaignPlan& plan) {
 
 Campaign::Campaign(const CampaignPlan& plan)
     : plan_(plan), mutator_(mutator_plan(plan)), examiner_(*plan.tracer, plan.search == Search::elites ? Measure::all : Measure::wrong_answers),
-       random_(plan.seed, plan.stream) {}
+       random_(Random(plan.seed, 0).bits(), plan.stream) {}
 
 FuzzInput Campaign::next() {
   if (executions_ == 0) return mutator_.seed();
@@ -36,6 +36,8 @@ void Campaign::test(const FuzzInput& input) {
   ++executions_;
   examine(input, true);
 }
+
+void Campaign::skip() { ++executions_; }
 
 void Campaign::recall(const FuzzInput& input) { examine(input, false); }
 

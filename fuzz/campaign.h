@@ -56,7 +56,9 @@ class Campaign {
 
   /// Examines the input and keeps what is worth it.
   void test(const FuzzInput& input);
-  /// The same, of what was found before: isn't counted as an execution, and is no news.
+  /// An execution without an input: what the driver came up with is none.
+  void skip();
+  /// Examines likewise what was found before: that isn't counted as an execution, and is no news.
   void recall(const FuzzInput& input);
 
   /// Called for each finding that is new, or twice as severe as when it was last told.

@@ -1,5 +1,5 @@
-// The hooks of libFuzzer. The search is in fuzz/campaign.h: libFuzzer calls it, execution by execution, and lends its
-// merging, its handling of crashes, and its place in services for fuzzing.
+// The hooks of libFuzzer but for the mutator (libfuzzer_mutator.cpp). The search is in fuzz/campaign.h: libFuzzer calls it,
+// execution by execution, and lends its merging, its handling of crashes, and its place in services for fuzzing.
 //
 // Coverage steers nothing: one counter that never changes keeps libFuzzer content while it searches. Only while it merges
 // corpora it is shown the cells of each input, so that pruning keeps the elites.
@@ -12,6 +12,7 @@
 
 #include "case/input_error.h"
 #include "fuzz/fuzzer_options.h"
+#include "fuzz/libfuzzer_target.h"
 
 namespace plumbline {
 namespace {
@@ -57,6 +58,7 @@ void initialize(int* argc, char*** argv) {
   *argc = static_cast<int>(rest.size());
   rest.push_back(nullptr);
   *argv = rest.data();
+  options->worker.campaign.tracer = &as_traced(*options->worker.campaign.tracer);
   worker = make_worker(*options);
   stop_on_signals();
   // Limits of libFuzzer's own end the process without a word; what was found by then is kept.
@@ -66,6 +68,9 @@ void initialize(int* argc, char*** argv) {
 }
 
 }  // namespace
+
+Worker& libfuzzer_worker() { return *worker; }
+
 }  // namespace plumbline
 
 using namespace plumbline;
@@ -84,7 +89,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   counters[0] = 1;
   const CampaignPlan& plan = options->worker.campaign;
   const FuzzInput like = input_like(plan);
-  if (size != input_size(like.space, like.precision)) return -1;
+  if (size != input_size(like.space, like.precision)) {
+    if (plan.search == Search::given) {
+      worker->campaign().skip();
+      if (worker->over()) leave();
+    }
+    return -1;
+  }
   worker->test(decode(std::as_bytes(std::span(data, size)), like.space, like.precision, plan.domain));
   if (merging) {
     const Features& seen = worker->campaign().last_features();
@@ -92,13 +103,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   if (worker->over()) leave();
   return 0;
-}
-
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned) {
-  const FuzzInput like = input_like(options->worker.campaign);
-  const std::size_t needed = input_size(like.space, like.precision);
-  if (most < needed) return size;
-  // The search has random numbers of its own: who drives it makes no difference.
-  encode(worker->next(), std::as_writable_bytes(std::span(data, needed)));
-  return needed;
 }

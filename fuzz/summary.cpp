@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "case/input_error.h"
@@ -34,11 +35,9 @@ std::string to_json(const Summary& s) {
   return json.dump(2) + "\n";
 }
 
-std::optional<Summary> read_summary(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) return std::nullopt;
+Summary summary_of(const std::string& text, const std::string& place) {
   try {
-    const Json json = Json::parse(in);
+    const Json json = Json::parse(text);
     Summary s;
     json.at("tracer").get_to(s.tracer);
     json.at("space").get_to(s.space);
@@ -55,9 +54,14 @@ std::optional<Summary> read_summary(const std::filesystem::path& file) {
       s.rises.push_back({rise.at("execution").get<std::uint64_t>(), rise.at("seconds").get<double>(), rise.at("ulps").get<double>()});
     return s;
   } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: no summary of a campaign: {}; remove it, or name another folder", file.string(),
-                                 error.what()));
+    throw InputError(fmt::format("{}: no summary of a campaign: {}; remove it, or name another", place, error.what()));
   }
+}
+
+std::optional<Summary> read_summary(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) return std::nullopt;
+  return summary_of(std::string((std::istreambuf_iterator<char>(in)), {}), file.string());
 }
 
 bool write_summary(const std::filesystem::path& file, const Summary& summary) {

@@ -30,6 +30,9 @@ struct Summary {
 /// One object, with executions_per_s (of one process) derived.
 std::string to_json(const Summary& summary);
 
+/// Of the JSON; `place` stands for it in messages. Throws InputError where it is no summary.
+Summary summary_of(const std::string& json, const std::string& place);
+
 /// No value where there is no such file. Throws InputError, naming it, where it holds no summary.
 std::optional<Summary> read_summary(const std::filesystem::path& file);
 
