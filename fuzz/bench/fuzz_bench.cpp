@@ -16,6 +16,7 @@
 #include "case/case_bytes.h"
 #include "case/input_error.h"
 #include "fuzz/bench/lattice_search.h"
+#include "fuzz/mutator.h"
 
 namespace plumbline {
 namespace {
@@ -80,6 +81,7 @@ Summary search(const FuzzBenchPlan& plan, const std::string& engine, const std::
   const fs::path program = raw ? plan.program.parent_path() / "bench" / "plumbline_raw_fuzzer" : plan.program;
   if (!fs::exists(program)) throw InputError(fmt::format("{}: is not there; build it with clang", program.string()));
   const fs::path file = fs::temp_directory_path() / fmt::format("plumbline-bench-{}.json", getpid());
+  const fs::path first = fs::temp_directory_path() / fmt::format("plumbline-bench-{}.input", getpid());
   std::vector<std::string> words = {program.string(),
                                     "--tracer=" + tracer,
                                     fmt::format("--seed={}", seed),
@@ -87,14 +89,20 @@ Summary search(const FuzzBenchPlan& plan, const std::string& engine, const std::
                                     "--summary=" + file.string(),
                                     "--search=" + std::string(raw ? "given" : engine)};
   if (raw) {
-    // Other sizes are rejected, and count as executions, as they do for libFuzzer.
-    const std::size_t size = input_size(Space::ray, find_tracer(tracer).info().contract.precision);
-    words.insert(words.end(), {fmt::format("-seed={}", seed), "-len_control=0", fmt::format("-max_len={}", size)});
+    // It begins with the input that the others begin with. Other sizes are rejected, and count as executions, as they do
+    // for libFuzzer.
+    const Precision precision = find_tracer(tracer).info().contract.precision;
+    std::vector<std::byte> bytes(input_size(Space::ray, precision));
+    encode(Mutator({.precision = precision, .constants = {}}).seed(), bytes);
+    std::ofstream(first, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    words.insert(words.end(), {fmt::format("-seed={}", seed), "-len_control=0", fmt::format("-max_len={}", bytes.size()),
+                               "-seed_inputs=" + first.string()});
   }
   const int state = wait_for(words);
   const auto summary = read_summary(file);
   std::error_code ignored;
   fs::remove(file, ignored);
+  fs::remove(first, ignored);
   if (!WIFEXITED(state) || WEXITSTATUS(state) != 0 || !summary)
     throw InputError(fmt::format("{} --tracer={}: failed; run it to see why", program.string(), tracer));
   return *summary;
