@@ -54,6 +54,10 @@ Isa best_isa() {
     ++counts.invalid;
     return truth;
   }
+  if (const auto decided = classify_wide(triangle, ray, known)) {
+    ++counts.wide;
+    return *decided;
+  }
   ++counts.accumulate;
   return classify_accumulate(triangle, ray);
 }

@@ -4,6 +4,7 @@
 //   filter       binary64 with a proved error bound, W cases at a time                     batch_kernel.h
 //   residue      integers modulo 2^64, W at a time: lattices, binary32-like data          batch_kernel.h
 //   integer      exact 192-bit integers, one at a time: full doubles of few binades        integer.h
+//   wide         exact 384-bit integers, one at a time: full doubles over 72 binades       integer.h
 //   accumulate   any finite doubles: fixed-point sums                                     accumulator.h
 //
 // Each decides a case, with a proof, or leaves it to the next; the last leaves none. The case is looked at for validity
@@ -41,7 +42,7 @@ struct Batch {
 
 /// How many cases each stage decided.
 struct StageCounts {
-  std::size_t filter = 0, residue = 0, integer = 0, accumulate = 0, invalid = 0;
+  std::size_t filter = 0, residue = 0, integer = 0, wide = 0, accumulate = 0, invalid = 0;
 };
 
 enum class Isa : unsigned char { portable, avx2, avx512 };

@@ -4,8 +4,7 @@
 #include <optional>
 
 #include "case/float_bits.h"
-#include "oracle/int192.h"
-#include "oracle/wide_int.h"
+#include "oracle/normalized.h"
 
 namespace plumbline {
 

@@ -34,6 +34,9 @@ struct WideCase {
     WideCase x;
     x.point_unit = unit(point);
     x.direction_unit = unit(direction);
+    // A number below the unit is seen before any is scaled.
+    if (below(least_magnitude(ray.origin, triangle.a, triangle.b, triangle.c), x.point_unit)) return std::nullopt;
+    if (below(least_magnitude(ray.direction), x.direction_unit)) return std::nullopt;
     std::uint64_t lost = 0;
     x.origin = scaled(ray.origin, x.point_unit, lost);
     x.direction = scaled(ray.direction, x.direction_unit, lost);
@@ -45,6 +48,7 @@ struct WideCase {
   }
 
  private:
+  static bool below(double x, int unit) { return Decoded(x).high() <= unit; }
   static WideVec<2> scaled(const Vec3& v, int unit, std::uint64_t& lost) {
     return {scaled(v.x, unit, lost), scaled(v.y, unit, lost), scaled(v.z, unit, lost)};
   }

@@ -95,6 +95,13 @@ WideInt<m + n> operator*(const WideInt<m>& x, const WideInt<n>& y) {
   return r;
 }
 
+/// The first bits of the magnitude of a number other than zero, the rest cut off: high.low * 2^exponent with a binary
+/// point behind the highest bit of `high`, which is set.
+struct Leading {
+  std::uint64_t high, low;
+  int exponent;
+};
+
 template <int words>
 Leading leading(const WideInt<words>& x) {
   const WideInt<words> m = x.is_negative() ? -x : x;
@@ -127,6 +134,11 @@ using WideVec = std::array<WideInt<words>, 3>;
 template <int words>
 WideVec<words> operator-(const WideVec<words>& p, const WideVec<words>& q) {
   return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+}
+
+template <int words>
+WideVec<words> operator+(const WideVec<words>& p, const WideVec<words>& q) {
+  return {p[0] + q[0], p[1] + q[1], p[2] + q[2]};
 }
 
 template <int m, int n>

@@ -116,7 +116,7 @@ TEST_P(BoundaryOf, IsTheRoundedRootOfEveryDecisionInEveryCoordinate) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, BoundaryOf, testing::Range<std::size_t>(0, family_names.size()),
-                         [](const auto& info) { return std::string(family_names[info.param]); });
+                         [](const auto& each) { return std::string(family_names[each.param]); });
 
 TEST(Boundary, OfSpreadCasesIsTheRoundedRoot) {
   std::mt19937_64 random(seed() + 8);

@@ -18,7 +18,7 @@ TEST_P(MarginsOf, AgreeOnMany) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, MarginsOf, testing::Range<std::size_t>(0, family_names.size()),
-                         [](const auto& info) { return std::string(family_names[info.param]); });
+                         [](const auto& each) { return std::string(family_names[each.param]); });
 
 class MarginsOfSpreadCases : public testing::TestWithParam<Precision> {};
 
@@ -29,7 +29,7 @@ TEST_P(MarginsOfSpreadCases, AgreeOnMany) {
 
 INSTANTIATE_TEST_SUITE_P(Precisions, MarginsOfSpreadCases,
                          testing::Values(Precision::binary32, Precision::binary64),
-                         [](const auto& info) { return std::string(name(info.param)); });
+                         [](const auto& each) { return std::string(name(each.param)); });
 
 }  // namespace
 }  // namespace plumbline::judges

@@ -46,37 +46,38 @@ class ForcedStages : public testing::TestWithParam<std::size_t> {
   std::vector<Truth> expected;
 };
 
-// The least number of `count` that the filter, the residue and the integer stage decide; 0 where none is expected.
+// The least number of `count` that each of these stages decides; 0 where none is expected.
 struct Share {
-  std::size_t filter = 0, residue = 0, integer = 0;
+  std::size_t filter = 0, residue = 0, integer = 0, wide = 0;
 };
 Share expected_share(Family family) {
   constexpr std::size_t all = count, most = count * 9 / 10, nearly_all = count * 999 / 1000;
   switch (family) {
     case Family::random:
     case Family::small_far:
-      return {.filter = nearly_all, .integer = most};
+      return {.filter = nearly_all, .integer = most, .wide = all};
     case Family::lattice_points:
     case Family::exact_edge12:
     case Family::exact_edge23:
     case Family::coplanar:
     case Family::degenerate:
-      return {.residue = most, .integer = all};
+      return {.residue = most, .integer = all, .wide = all};
     case Family::exact_edge51:
-      return {.integer = all};
+      return {.integer = all, .wide = all};
     case Family::ulp12:
     case Family::ulp51:
-      return {.integer = most};
+      return {.integer = most, .wide = all};
     case Family::mixed40:
-    case Family::wide:
-    case Family::wide_edge:
-    case Family::full_range:
     case Family::sliver:
     case Family::far:
     case Family::grazing:
     case Family::tiny:
     case Family::huge:
     case Family::edge_ulps:
+      return {.wide = all};
+    case Family::wide:
+    case Family::wide_edge:
+    case Family::full_range:
       return {};
   }
   return {};
@@ -98,6 +99,9 @@ TEST_P(ForcedStages, DecideRightly) {
         break;
       case Stage::integer:
         EXPECT_GE(decided, share.integer);
+        break;
+      case Stage::wide:
+        EXPECT_GE(decided, share.wide);
         break;
       case Stage::accumulate:
       case Stage::single_call:
@@ -144,7 +148,8 @@ TEST_P(ForcedStages, OneTriangleAgainstManyRays) {
       StageCounts counts;
       classify(batch, isa, &counts);
       EXPECT_EQ(truths, each) << name(isa);
-      EXPECT_EQ(counts.filter + counts.residue + counts.integer + counts.accumulate + counts.invalid, count);
+      EXPECT_EQ(counts.filter + counts.residue + counts.integer + counts.wide + counts.accumulate + counts.invalid,
+                count);
       EXPECT_GE(counts.invalid + counts.residue, 1u);
       truths.assign(count, Truth{});
       batch.one_triangle = true;

@@ -4,6 +4,7 @@
 
 #include "oracle/explain.h"
 #include "oracle/integer_case.h"
+#include "oracle/normalized.h"
 #include "tests/judges/mpq_judge.h"
 #include "tests/judges/seed.h"
 #include "tests/oracle/grid_shots.h"
@@ -22,6 +23,13 @@ mpz_class integer(const Int192& x) {
   const mpz_class top =
       high < 0 ? mpz_class(-integer(-static_cast<std::uint64_t>(high))) : integer(static_cast<std::uint64_t>(high));
   return (top << 128) + (integer(static_cast<std::uint64_t>(x.high)) << 64) + integer(x.low);
+}
+
+// x >= 0, as an integer of 384 bits.
+WideInt<6> wide_words(const mpz_class& x) {
+  WideInt<6> r;
+  mpz_export(r.word, nullptr, -1, sizeof r.word[0], 0, 0, x.get_mpz_t());
+  return r;
 }
 
 // |x| < 2^191
@@ -61,24 +69,25 @@ TEST(IntegerCase, DeterminantsAreExact) {
   EXPECT_GT(made, 19000);
 }
 
-// x against y * factor, which may have 245 bits: equal, or apart in the last.
-TEST(Normalized, ComparesProductsToTheLastBit) {
+// x against y * factor, which may have 53 bits more than there are in either: equal, or apart in the last.
+template <class ToInteger>
+void compare_products(ToInteger to_integer, unsigned most) {
   gmp_randclass random(gmp_randinit_default);
   random.seed(judges::seed());
   const auto number = [&](unsigned bits) -> mpz_class {
     return random.get_z_bits(bits - 1) + (mpz_class(1) << (bits - 1));
   };
-  const auto compared = [](const mpz_class& x, unsigned shift, const mpz_class& y, const mpz_class& factor) {
-    Normalized left(words(x)), right(words(y));
+  const auto compared = [&](const mpz_class& x, unsigned shift, const mpz_class& y, const mpz_class& factor) {
+    Normalized left(to_integer(x)), right(to_integer(y));
     left.exponent += static_cast<int>(shift);
     right *= factor.get_ui();
     return left.compare(right);
   };
-  for (int i = 0; i < 20000; ++i) {
-    const mpz_class factor = number(static_cast<unsigned>(1 + i % 53)), y = number(static_cast<unsigned>(1 + i % 189));
+  for (unsigned i = 0; i < 20000; ++i) {
+    const mpz_class factor = number(1 + i % 53), y = number(1 + i % most);
     const mpz_class product = y * factor;
     const auto bits = static_cast<unsigned>(mpz_sizeinbase(product.get_mpz_t(), 2));
-    const unsigned shift = bits > 189 ? bits - 189 : 0;
+    const unsigned shift = bits > most ? bits - most : 0;
     const mpz_class x = product >> shift, remainder = product - (x << shift);
     ASSERT_EQ(compared(x, shift, y, factor), remainder == 0 ? 0 : -1) << x << ' ' << y << ' ' << factor;
     ASSERT_EQ(compared(x + 1, shift, y, factor), 1) << x << ' ' << y << ' ' << factor;
@@ -86,6 +95,11 @@ TEST(Normalized, ComparesProductsToTheLastBit) {
       ASSERT_EQ(compared(x - 1, shift, y, factor), -1) << x << ' ' << y << ' ' << factor;
     }
   }
+}
+
+TEST(Normalized, ComparesProductsToTheLastBit) {
+  ASSERT_NO_FATAL_FAILURE(compare_products(words, 189));
+  ASSERT_NO_FATAL_FAILURE(compare_products(wide_words, 381));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace {
 
 // The limits as the stages' comments give them.
 constexpr int residue_point_bits = 30, residue_direction_bits = 31;
-constexpr int integer_bits = 61;
+constexpr int integer_bits = 61, wide_bits = 125;
 constexpr int residue_exponents = 300, integer_exponents = 900;  // the first that is outside, the last that is inside
 
 const std::vector<Stage>& residue_stages() {
@@ -53,6 +53,7 @@ void expect_at_width(const Shot& shot) {
     ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::filter, isa}, shot, expected, std::nullopt));
   const bool integers = points.bits() > 0 && points.bits() <= integer_bits && direction.bits() <= integer_bits;
   ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::integer}, shot, expected, integers));
+  ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::wide}, shot, expected, true));
   ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::accumulate}, shot, expected, true));
   ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::single_call}, shot, expected, true));
 }
@@ -103,6 +104,9 @@ TEST(StageLimits, ThePreciseLastBit) {
   EXPECT_TRUE(ask({Stage::integer}, wide(61, 61)));
   EXPECT_FALSE(ask({Stage::integer}, wide(62, 61)));
   EXPECT_FALSE(ask({Stage::integer}, wide(61, 62)));
+  EXPECT_TRUE(ask({Stage::wide}, wide(125, 125)));
+  EXPECT_FALSE(ask({Stage::wide}, wide(126, 125)));
+  EXPECT_FALSE(ask({Stage::wide}, wide(125, 126)));
 }
 
 TEST(StageLimits, Exponents) {
@@ -122,6 +126,7 @@ TEST(StageLimits, Exponents) {
         for (const Stage& stage : residue_stages())
           ASSERT_NO_FATAL_FAILURE(expect_answer(stage, shot, expected, inside));
         ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::integer}, shot, expected, integers));
+        ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::wide}, shot, expected, true));
         ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::accumulate}, shot, expected, true));
       }
 }
@@ -188,6 +193,7 @@ TEST(StageLimits, BoundsOfTheResidueStage) {
               for (const Stage& stage : residue_stages())
                 ASSERT_NO_FATAL_FAILURE(expect_answer(stage, shot, expected, taken || !needed)) << m;
               ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::integer}, shot, expected, true)) << m;
+              ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::wide}, shot, expected, true)) << m;
               ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::accumulate}, shot, expected, true)) << m;
             }
           }
@@ -247,6 +253,7 @@ TEST(StageLimits, BoundsOfTheResidueStageOnEveryGrid) {
     (inside ? decided : passed_on) += 1;
     for (const Stage& stage : residue_stages()) ASSERT_NO_FATAL_FAILURE(expect_answer(stage, shot, expected, inside));
     ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::integer}, shot, expected, true));
+    ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::wide}, shot, expected, true));
     ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::accumulate}, shot, expected, true));
   }
   std::printf("%d decided, %d passed on\n", decided, passed_on);
@@ -254,22 +261,50 @@ TEST(StageLimits, BoundsOfTheResidueStageOnEveryGrid) {
   EXPECT_GT(passed_on, 1000);
 }
 
-// Bounds of t of every exponent and width, exact meetings among them: the integer stage compares products of 245 bits.
-TEST(StageLimits, BoundsOfTheIntegerStage) {
-  Random random(judges::seed() + 5);
+// Each axis of points and direction times a power of two: every product of a determinant has one factor of each axis,
+// so that its sign stays, while the coordinates spread.
+Shot stretched(Random& random, Shot shot, int most) {
+  const auto power = [&] { return std::ldexp(1.0, static_cast<int>(uniform(random, 0, most))); };
+  const Vec3 by = {power(), power(), power()};
+  for (Vec3* v : {&shot.ray.origin, &shot.triangle.a, &shot.triangle.b, &shot.triangle.c, &shot.ray.direction})
+    *v = {v->x * by.x, v->y * by.y, v->z * by.z};
+  return shot;
+}
+
+TEST(StageLimits, GridsOfTheWideStage) {
+  Random random(judges::seed() + 6);
+  std::size_t inside = 0, at_limit = 0, outside = 0;
+  for (int i = 0; i < 40000; ++i) {
+    const auto bits = [&] { return static_cast<int>(uniform(random, 40, 62)); };
+    const auto stretch = static_cast<int>(uniform(random, 62, 95));
+    const Shot shot = stretched(random, draw_on_grids(random, bits(), bits()), stretch);
+    const Truth expected = judges::mpq_truth(shot.triangle, shot.ray);
+    const int widest = std::max(point_width(shot).bits(), direction_width(shot).bits());
+    (widest > wide_bits ? outside : inside) += 1;
+    at_limit += widest == wide_bits ? 1 : 0;
+    ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::wide}, shot, expected, widest <= wide_bits));
+    ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::accumulate}, shot, expected, true));
+    ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::single_call}, shot, expected, true));
+  }
+  std::printf("%zu inside, %zu of them at the limit, %zu outside\n", inside, at_limit, outside);
+  EXPECT_GT(inside, 10000u);
+  EXPECT_GT(at_limit, 100u);
+  EXPECT_GT(outside, 1000u);
+}
+
+// Bounds of t of every exponent and width, exact meetings among them.
+void check_bounds(const Stage& stage, Random& random, int stretch) {
   int met = 0, exactly = 0;
   for (int i = 0; i < 30000; ++i) {
     const auto bits = [&] { return static_cast<int>(uniform(random, 1, 61)); };
-    Shot shot = draw_on_grids(random, bits(), bits());
+    Shot shot = stretched(random, draw_on_grids(random, bits(), bits()), stretch);
     if (point_width(shot).bits() == 0) continue;
     const judges::Determinants x = judges::mpq_determinants(shot.triangle, shot.ray);
     const double near = x.det == 0 ? 1 : mpq_class(x.T / x.det).get_d();
     const auto bound = [&] {
       switch (random() % 4) {
-        case 0:
-          return step_ulps(near, static_cast<std::int64_t>(random() % 3) - 1);
-        case 1:
-          return near;
+        case 0: return step_ulps(near, static_cast<std::int64_t>(random() % 3) - 1);
+        case 1: return near;
         case 2:
           return std::ldexp(static_cast<double>(uniform(random, -15, 15)),
                             static_cast<int>(uniform(random, -1074, 1000)));
@@ -282,12 +317,19 @@ TEST(StageLimits, BoundsOfTheIntegerStage) {
     const Truth expected = judges::mpq_truth(shot.triangle, shot.ray);
     met += expected.hit_class <= HitClass::vertex ? 1 : 0;
     exactly += expected.hit_class <= HitClass::vertex && expected.versus_t_min == 0 ? 1 : 0;
-    ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::integer}, shot, expected, true));
+    ASSERT_NO_FATAL_FAILURE(expect_answer(stage, shot, expected, true));
     ASSERT_NO_FATAL_FAILURE(expect_answer({Stage::accumulate}, shot, expected, true));
   }
-  std::printf("%d of 30000 met the triangle, %d of them at t_min\n", met, exactly);
+  std::printf("%s: %d of 30000 met the triangle, %d of them at t_min\n", stage.name().c_str(), met, exactly);
   EXPECT_GT(met, 1000);
   EXPECT_GT(exactly, 100);
+}
+
+// The integer stage compares products of 245 bits, the wide one of 434.
+TEST(StageLimits, BoundsOfTheIntegerStage) {
+  Random random(judges::seed() + 5);
+  check_bounds({Stage::integer}, random, 0);
+  check_bounds({Stage::wide}, random, 63);
 }
 
 }  // namespace

@@ -53,6 +53,8 @@ std::string Stage::name() const {
       return "residue " + std::string(plumbline::name(isa));
     case integer:
       return "integer";
+    case wide:
+      return "wide";
     case accumulate:
       return "accumulate";
     case single_call:
@@ -73,7 +75,7 @@ const std::vector<Isa>& all_isas() {
 
 const std::vector<Stage>& all_stages() {
   static const std::vector<Stage> all = [] {
-    std::vector<Stage> list = {{Stage::integer}, {Stage::accumulate}, {Stage::single_call}};
+    std::vector<Stage> list = {{Stage::integer}, {Stage::wide}, {Stage::accumulate}, {Stage::single_call}};
     for (const Isa isa : all_isas())
       for (const auto kind : {Stage::filter, Stage::residue}) list.push_back({kind, isa});
     return list;
@@ -96,6 +98,9 @@ std::vector<std::optional<Truth>> ask(const Stage& stage, std::span<const Shot> 
         break;
       case Stage::integer:
         answers[i] = classify_integer(triangle, ray);
+        break;
+      case Stage::wide:
+        answers[i] = classify_wide(triangle, ray);
         break;
       case Stage::accumulate:
         answers[i] = classify_accumulate(triangle, ray);

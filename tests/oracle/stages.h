@@ -24,7 +24,7 @@ class Columns {
 };
 
 struct Stage {
-  enum Kind { filter, residue, integer, accumulate, single_call } kind;
+  enum Kind { filter, residue, integer, wide, accumulate, single_call } kind;
   Isa isa = Isa::portable;  ///< filter, residue
 
   std::string name() const;
