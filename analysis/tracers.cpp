@@ -60,10 +60,10 @@ std::map<std::string, std::unique_ptr<Tracer>, std::less<>>& foreign_tracers() {
   return tracers;
 }
 
-// The one place where foreign tracers are made, and where those of Isolation::process get their process.
+// The one place where foreign tracers are made. Either kind runs in processes of its own.
 std::unique_ptr<Tracer> make_foreign(const std::string& name, const ForeignOptions& options) {
   if (names_pipe(name)) return pipe_tracer(name, options.timeout);
-  return load_plugin(name);
+  return load_plugin(name, options.timeout);
 }
 
 const Tracer& find_foreign(std::string_view name, const ForeignOptions& options) {

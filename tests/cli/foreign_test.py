@@ -117,7 +117,7 @@ class SharedLibrary(ForeignTest):
 
         text = (self.folder / "my_tracer.c").read_text()
         for old, new, *parts in [
-            (".version = PLUMBLINE_TRACER_VERSION", ".version = 99", "version 99", "version 1; compile"),
+            (".version = PLUMBLINE_TRACER_VERSION", ".version = 99", "version 99", "version 2; compile"),
             (".trace_f64 = trace", ".trace_f64 = 0", "'trace_f64' is NULL; fill it in"),
             ("into->precision = 64", "(void)into", "precision to 0; set 32 or 64"),
             ('"my_tracer"', '"exact"', "calls itself 'exact', as another tracer here does; give it"),
@@ -134,8 +134,54 @@ class SharedLibrary(ForeignTest):
         self.build(source="liar.c", library="liar.so")
         answer = self.plumbline(
             "trace", "--tracer", "./liar.so", "-", text=QUESTION,
-            error="warning: ./liar.so: trace() answered 2 of 1 rays; all 1 are faults\n")
+            error="my_tracer: trace() answered 2 of 1 rays; all 1 are faults\n")
         self.assertTrue(json.loads(answer)["fault"])
+
+    def test_one_that_dies_loses_its_own_answers_only(self):
+        """By every verb that asks: what it dies of is a fault, told once at the end; all else is as before."""
+        self.build()
+        text = (self.folder / "my_tracer.c").read_text()
+        harmless = "if (slope == 0) return 0;"
+        self.assertIn(harmless, text)
+        (self.folder / "mortal.c").write_text(
+            text.replace(harmless, harmless + "\n  if (ray->origin[0] == 0.375) abort();"))
+        self.build(source="mortal.c", library="mortal.so")
+        lines = "".join(QUESTION.replace("0.25,0.5,2", f"{x},0.5,2") for x in (0.25, 0.375, 0.5, 0.375, 2))
+        told = "my_tracer: died of 2 rays (SIGABRT); these are faults\n"
+        answers = self.plumbline("trace", "--tracer", "./mortal.so", "-", text=lines, error=told)
+        self.assertEqual([json.loads(line)["hit"] for line in answers.splitlines()], [True, None, True, None, False])
+        cases = "".join(f"case x{i}\ntriangle 0 0 0  1 0 0  0 1 0\nray {x} 0.5 2  0 0 -1\n\n"
+                        for i, x in enumerate((0.25, 0.375, 0.5, 0.375, 2)))
+        (self.folder / "x.case").write_text(cases)
+        replayed = run("replay", "x.case", "--tracer", "./mortal.so", cwd=self.folder)
+        self.assertEqual((replayed.returncode, replayed.stdout), (0, ""))
+        self.assertIn("5 answers: 0 not as the files say, 0 known findings, 2 faults", replayed.stderr)
+        self.assertIn(told, replayed.stderr)
+        explained = run("explain", "--triangle", *"000100010", "--ray", "0.375", *"01001", "--tracer", "./mortal.so",
+                        cwd=self.folder)
+        self.assertIn("died of 1 ray (SIGABRT)", explained.stderr)
+
+        swept = ("sweep", "--json", "--count", "20", "--tracer")
+        mortal = "\n  if (ray->origin[2] > 0 && ray->direction[0] > 0) abort();"
+        (self.folder / "mortal.c").write_text(text.replace(harmless, harmless + mortal))
+        self.build(source="mortal.c", library="mortal.so")
+        rows = {}
+        for library, error in (("./libmine.so", ""), ("./mortal.so", None)):
+            printed = self.plumbline(*swept, library, error=error)
+            rows[library] = [json.loads(line) for line in printed.splitlines()]
+        faults = [row["faults"] for row in rows["./mortal.so"]]
+        self.assertGreater(sum(faults), 0)
+        self.assertLess(sum(faults), sum(row["attempts"] for row in rows["./mortal.so"]))
+        self.assertIn(f"my_tracer: died of {sum(faults)} rays (SIGABRT)",
+                      run(*swept, "./mortal.so", cwd=self.folder).stderr)
+        for whole, mortal_row in zip(rows["./libmine.so"], rows["./mortal.so"]):
+            lost = whole["successes"] - mortal_row["successes"]
+            self.assertTrue(0 <= lost <= mortal_row["faults"], (whole, mortal_row))
+
+        compared = run("compare", "./mortal.so", "exact", "--inputs", "binary64", "--family", "random", "--count", "50",
+                       "--json", cwd=self.folder)
+        self.assertEqual(compared.returncode, 0, compared.stderr)
+        self.assertRegex(compared.stderr, r"my_tracer: died of [0-9]+ rays \(SIGABRT\)")
 
 
 class Program(ForeignTest):
