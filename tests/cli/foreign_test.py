@@ -229,6 +229,38 @@ for line in sys.stdin:
         self.assertEqual(self.trace(self.program(), [0.1]), ([True], ""))
         self.assertEqual(self.trace(self.program('assert case.get("precision") is None'), [0.1]), ([True], ""))
 
+    def test_it_is_judged_by_its_contract(self):
+        """Edges are missed and what is a hair outside is hit: wrong by default, right by what it says of itself."""
+        tracer = self.program('out = out.replace("true", "false") if x == 0 else out; '
+                              'out = out.replace("false", "true") if x == -0.125 else out')
+        cases = self.cases([0, 0.25, -0.125])
+        for contract, *told in [
+            ("", "x0: NAME: new false-miss", "x2: NAME: new false-hit"),
+            ("[edges=open]", "x2: NAME: new false-hit"),
+            ("[edges=unspecified,slack_absolute=0.125]",),
+            ("[slack_relative=0.01]", "x0: NAME: new false-miss", "x2: NAME: new false-hit"),
+        ]:
+            with self.subTest(contract):
+                name = tracer.replace("pipe:", f"pipe{contract}:")
+                result = run("replay", cases, "--tracer", name)
+                self.assertEqual(result.returncode, 1 if told else 0, result.stderr)
+                self.assertEqual(result.stdout.count("new "), len(told))
+                for part in told:
+                    self.assertIn(part.replace("NAME", name), result.stdout)
+        answers = run("trace", "-", "--merged", "--tracer", tracer, text=QUESTION.replace("0.25,0.5", "0,0.5")).stdout
+        for contract, verdict in [("", "false-miss"), ("[edges=open]", "correct"), ("[edges=one_owner]", "unspecified")]:
+            judged = run("judge", "-", "--tracer", tracer.replace("pipe:", f"pipe{contract}:"), text=answers)
+            self.assertEqual(json.loads(judged.stdout)["verdict"], verdict, judged.stderr)
+
+    def test_a_contract_that_cant_be_read(self):
+        for name, *parts in [
+            ("pipe[edges=opn]:cat", "pipe[edges=opn]:cat: edges can't be 'opn'; did you mean 'open'?"),
+            ("pipe32[edge=open]:cat", "a contract has no 'edge'; did you mean 'edges'?"),
+            ("pipe[edges=open:cat", "no ']:' behind the '['"),
+            ("pipe[edges=open]:", "no command"),
+        ]:
+            self.assert_trouble(run("trace", "-", "--tracer", name), *parts)
+
     def test_binary32(self):
         tracer = self.program('assert case["precision"] == "binary32" and (n < 0 or x == 0.10000000149011612)')
         self.assertEqual(self.trace(tracer.replace("pipe:", "pipe32:"), [0.1]), ([True], ""))
