@@ -60,6 +60,7 @@ class PreparedKernelBag final : public PreparedBag {
             .v = hit.v};
   }
 
+  // Not adapters/nearest.h: an Answer of each triangle would go through memory, as above.
   Answer nearest(const Ray& r) const {
     const typename Kernel::PreparedRay ray = prepare(r);
     std::optional<KernelHit<Real>> best;
