@@ -13,13 +13,24 @@ namespace plumbline {
 /// Those of this build in table order; `exact` is the last.
 const std::vector<std::unique_ptr<Tracer>>& all_tracers();
 
+struct AbsentTracer {
+  std::string name, package;  ///< none for those written here
+  std::string needs;          ///< what to do to have it
+};
+
+/// Those that this build hasn't for lack of their library, or for this processor can't run, in table order.
+const std::vector<AbsentTracer>& absent_tracers();
+
+/// Null if there is none of that name.
+const AbsentTracer* absent_tracer_named(std::string_view name);
+
 /// Whom a verb asks that is not told: the textbook kernels as written, BRL-CAD's rules, Embree and `exact`.
 std::vector<const Tracer*> standard_tracers();
 
 /// Null if neither this build has one of that name, nor a foreign one found so far calls itself so.
 const Tracer* tracer_named(std::string_view name);
 
-/// What to tell of a name that this build has not: the package that it needs, "did you mean 'exact'?", or the names
+/// What to tell of a name that this build has not: what it needs, "did you mean 'exact'?", or the names
 /// that it has.
 std::string suggest_tracer(std::string_view name);
 
