@@ -21,8 +21,8 @@ static void traps(plumbline_answer* answer) { (void)answer, raise(SIGFPE); }
 static void ends(plumbline_answer* answer) { (void)answer, exit(0); }
 static void hangs(plumbline_answer* answer) {
   (void)answer;
-  for (volatile int i = 0;; i = i ^ 1) {
-  }
+  volatile int i = 0;
+  for (;;) i = i ^ 1;
 }
 static void floods(plumbline_answer* answer) {
   (void)answer;
