@@ -225,9 +225,11 @@ class Replay(CliTest):
             self.assertRegex(result.stderr, r"\A\d+ cases in \d+ files, .* 0 not as the files say, \d+ known findings")
 
     def test_corpus_and_every_tracer(self):
-        """The files list what each gets wrong, but for the large libraries, which few builds have."""
+        """The files list what each gets wrong, but for the large libraries, which few builds have; and kernels that
+        hang on what the compiler contracts and reassociates are listed as clang 19 builds them."""
         result = run("replay", CORPUS, "--tracer", "all")
-        unlisted = [line for line in result.stdout.splitlines() if not re.search(r": (vtk_\w+|brlcad_librt): ", line)]
+        apart = r": (vtk_\w+|brlcad_librt|\w+_fma|\w+_fast_math): "
+        unlisted = [line for line in result.stdout.splitlines() if not re.search(apart, line)]
         self.assertEqual(unlisted, [])
         self.assertNotIn("unknown to this build", result.stderr)
 
