@@ -38,10 +38,10 @@ struct ForeignOptions {
   double timeout = 10;  ///< seconds that it may take for a batch of cases
 };
 
-/// What --tracer means: the name of one of this build; pipe:COMMAND, pipe32:COMMAND, or either with brackets before the
-/// colon, a program (float_tracer/pipe_tracer.h); a name with a '/' or ending in .so, a library (float_tracer/plugin.h).
-/// The last two are made when first asked for, and kept. Throws InputError: with that suggestion; where a foreign tracer
-/// can't be had; where it calls itself as another does. Not thread-safe.
+/// What --tracer means: the name of one of this build; pipe:COMMAND, pipe32:COMMAND, or either with brackets before
+/// the colon, a program (float_tracer/pipe_tracer.h); a name with a '/' or ending in .so, a library
+/// (float_tracer/plugin.h). The last two are made when first asked for, and kept. Throws InputError: with that
+/// suggestion; where a foreign tracer can't be had; where it calls itself as another does. Not thread-safe.
 const Tracer& find_tracer(std::string_view name, const ForeignOptions& options = {});
 
 /// By their names, of which "all" stands for all of this build; standard_tracers() for none. Throws as find_tracer.

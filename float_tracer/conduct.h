@@ -13,8 +13,8 @@ struct Conduct {
   /// The rays that a tracer in a child process died of, each Outcome::fault, by the cause: "SIGABRT", "exit code 0",
   /// "no answer within 10 s".
   std::map<std::string, std::uint64_t> deaths = {};
-  /// What it answered that can't be, by the sentence, and how often. The first dozen sentences are told apart, further
-  /// ones are but counted: some name numbers of which there is no end.
+  /// What it answered that can't be, by the sentence, and how often. The first dozen sentences are told apart,
+  /// further ones are but counted: some name numbers of which there is no end.
   std::map<std::string, std::uint64_t> breaches = {};
 
   static constexpr std::size_t told_apart = 12;

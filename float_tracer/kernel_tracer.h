@@ -36,8 +36,8 @@ class PreparedKernelBag final : public PreparedBag {
 
   // One triangle, the commonest bag: nothing is compared. Flat, that is with the kernel inlined: an optional returned
   // through memory is read in other pieces than it was written in, and the processor waits for it, which takes longer
-  // than the kernel. The triangle is a copy that no answer can overlap, so that the compiler loads and arranges it once;
-  // a hit and a miss are written by stores of their own, not by a choice between two answers.
+  // than the kernel. The triangle is a copy that no answer can overlap, so that the compiler loads and arranges it
+  // once; a hit and a miss are written by stores of their own, not by a choice between two answers.
   [[gnu::flatten]] static void answer_of(const typename Kernel::PreparedTriangle triangle, std::span<const Ray> rays,
                                          std::span<Answer> answers) {
     for (std::size_t i = 0; i < rays.size(); ++i) {

@@ -1,10 +1,10 @@
 // Tracers from shared libraries: whoever implements plumbline_tracer.h is under test like the tracers of this build.
 //
-// No code of the library ever runs in this process: it is loaded in child processes only (see isolated.h), where it may
-// abort, hang or print. What it says is checked, not believed: a batch of which it answers fewer or more rays than
-// asked, writes beyond the answers, or leaves one unset, is Outcome::fault, all of it; so is an answer with an unknown
-// outcome or a triangle that isn't there; an impossible `asked` is not used. Each is a breach in PreparedBag::conduct.
-// The mode of the bag is not read: every triangle counts as a surface.
+// No code of the library ever runs in this process: it is loaded in child processes only (see isolated.h), where it
+// may abort, hang or print. What it says is checked, not believed: a batch of which it answers fewer or more rays
+// than asked, writes beyond the answers, or leaves one unset, is Outcome::fault, all of it; so is an answer with an
+// unknown outcome or a triangle that isn't there; an impossible `asked` is not used. Each is a breach in
+// PreparedBag::conduct. The mode of the bag is not read: every triangle counts as a surface.
 #pragma once
 #include <memory>
 #include <string>

@@ -5,9 +5,9 @@
 // stay valid until the library is unloaded. A tracer reads binary32 or binary64 numbers, and fills in the functions
 // of that precision. It is judged by what describe() says that it promises: say what its documentation says.
 //
-// It runs in child processes, where it may abort, hang or print: a ray that it dies of is a fault, and nothing else is
-// lost. Each child has one thread; standard input, output and error are /dev/null. The processor's floating-point
-// controls are the default ones at every call (round to nearest, subnormals kept); that they were left changed is told.
+// It runs in child processes, where it may abort, hang or print: a ray that it dies of is a fault, and nothing else
+// is lost. Each child has one thread; standard input, output and error are /dev/null. The processor's floating-point
+// controls are the default ones at every call (round to nearest, subnormals kept); leaving them changed is told.
 #ifndef PLUMBLINE_TRACER_H
 #define PLUMBLINE_TRACER_H
 

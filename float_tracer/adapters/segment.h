@@ -1,5 +1,5 @@
-// A ray as the segment of two points that libraries ask for which know no rays, rounded as their users would round it,
-// and what is asked by it.
+// A ray as the segment of two points that libraries ask for which know no rays, rounded as their users would round
+// it, and what is asked by it.
 #pragma once
 #include <optional>
 
@@ -25,10 +25,10 @@ struct Segment {
 };
 
 /// From the ray's point at t_min to the one at t_max, each rounded to that precision; the origin itself for t = 0.
-/// Where t_max is infinite, `reach` lengths of the direction beyond the first point; where t_min is, as far before the
-/// last. `largest` is that of the bag. No value where there are no two points: a coordinate or bound that is NaN, an
-/// infinite coordinate, a direction of zero, an empty range or one of a single t, ends that are rounded to one, ends or
-/// a difference of them beyond the precision's range.
+/// Where t_max is infinite, `reach` lengths of the direction beyond the first point; where t_min is, as far before
+/// the last. `largest` is that of the bag. No value where there are no two points: a coordinate or bound that is NaN,
+/// an infinite coordinate, a direction of zero, an empty range or one of a single t, ends that are rounded to one,
+/// ends or a difference of them beyond the precision's range.
 std::optional<Segment> segment_of(const Ray& ray, double largest, Precision precision);
 
 }  // namespace plumbline

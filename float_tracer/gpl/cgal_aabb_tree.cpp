@@ -5,14 +5,15 @@
 //
 //   plumbline sweep --tracer build/release/float_tracer/gpl/libcgal_aabb_tree.so
 //
-// As in adapters/cgal.h: triangles and rays are closed, contact in the plane is a hit, triangles without area are left
-// out, t_min and t_max are not read, and what is asked is the line through the origin and origin + direction, rounded.
-// Coordinates that are not finite, and a second point that is rounded to the first, are faults. t is computed from the
-// point that CGAL constructs, in doubles, as are the distances by which it orders its boxes and hits.
+// As in adapters/cgal.h: triangles and rays are closed, contact in the plane is a hit, triangles without area are
+// left out, t_min and t_max are not read, and what is asked is the line through the origin and origin + direction,
+// rounded. Coordinates that are not finite, and a second point that is rounded to the first, are faults. t is
+// computed from the point that CGAL constructs, in doubles, as are the distances by which it orders its boxes and
+// hits.
 //
 // Oddities: first_intersection asks the kernel's intersection(), not do_intersect(), and the two don't agree.
 // - Of rays in the plane it hits some that pass the triangle by: 9 of the 3000 of `compare --family coplanar`.
-// - It misses some that cross, where coordinates lie hundreds of binary orders apart: 26 of the 3000 of the family wide.
+// - It misses some that cross, where coordinates lie hundreds of binary orders apart: 26 of the 3000 of wide.
 // cgal_epick, which asks do_intersect() the same, is wrong in none of these.
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -30,7 +31,8 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Triangles = std::vector<Kernel::Triangle_3>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>>>;
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 Point point(const double* p) { return {p[0], p[1], p[2]}; }
 
@@ -113,7 +115,7 @@ void release(void* bag) { delete static_cast<Bag*>(bag); }
 
 void describe(plumbline_description* into) {
   into->name = "cgal_aabb_tree";
-  into->summary = "CGAL " CGAL_VERSION_STR ": AABB_tree::first_intersection, exact signs, the ray's second point rounded";
+  into->summary = "CGAL " CGAL_VERSION_STR ": AABB_tree::first_intersection, the ray's second point rounded";
   into->precision = 64;
   into->range = PLUMBLINE_RANGE_RAY;
   into->coplanar = PLUMBLINE_TOUCH_HIT;

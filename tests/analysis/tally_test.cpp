@@ -65,7 +65,8 @@ TEST(Tally, IsPutOutByOneAtMostByARayWithoutVerdict) {
                                              {Outcome::fault, VerdictKind::fault}}) {
         Tally t;
         count(t, wish, truth, outcome, verdict);
-        const auto failures = static_cast<int>(t.attempts - t.successes), harness = static_cast<int>(t.harness_errors());
+        const auto failures = static_cast<int>(t.attempts - t.successes);
+        const auto harness = static_cast<int>(t.harness_errors());
         EXPECT_LE(std::abs(failures - harness), static_cast<int>(t.unspecified + t.faults));
       }
 }

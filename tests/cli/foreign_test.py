@@ -178,8 +178,8 @@ class SharedLibrary(ForeignTest):
             lost = whole["successes"] - mortal_row["successes"]
             self.assertTrue(0 <= lost <= mortal_row["faults"], (whole, mortal_row))
 
-        compared = run("compare", "./mortal.so", "exact", "--inputs", "binary64", "--family", "random", "--count", "50",
-                       "--json", cwd=self.folder)
+        compared = run("compare", "./mortal.so", "exact", "--inputs", "binary64", "--family", "random", "--count", 50,
+                       cwd=self.folder)
         self.assertEqual(compared.returncode, 0, compared.stderr)
         self.assertRegex(compared.stderr, r"my_tracer: died of [0-9]+ rays \(SIGABRT\)")
 
@@ -248,7 +248,8 @@ for line in sys.stdin:
                 for part in told:
                     self.assertIn(part.replace("NAME", name), result.stdout)
         answers = run("trace", "-", "--merged", "--tracer", tracer, text=QUESTION.replace("0.25,0.5", "0,0.5")).stdout
-        for contract, verdict in [("", "false-miss"), ("[edges=open]", "correct"), ("[edges=one_owner]", "unspecified")]:
+        for contract, verdict in [("", "false-miss"), ("[edges=open]", "correct"),
+                                  ("[edges=one_owner]", "unspecified")]:
             judged = run("judge", "-", "--tracer", tracer.replace("pipe:", f"pipe{contract}:"), text=answers)
             self.assertEqual(json.loads(judged.stdout)["verdict"], verdict, judged.stderr)
 

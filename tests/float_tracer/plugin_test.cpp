@@ -191,7 +191,8 @@ TEST(Plugin, ADeathAtABagIsThatBagsFault) {
        {std::pair("aborts_bag", "SIGABRT"), {"hangs_bag", "no answer within 500 ms"}}) {
     SCOPED_TRACE(deed);
     const auto tracer = load_plugin(path_of(deed), 0.5);
-    const auto fatal = tracer->prepare({.triangles = {unit, above}}), harmless = tracer->prepare({.triangles = {unit}});
+    const auto fatal = tracer->prepare({.triangles = {unit, above}});
+    const auto harmless = tracer->prepare({.triangles = {unit}});
     std::vector<Answer> answers(many);
     fatal->trace(rays_with({}), answers);
     for (const Answer& answer : answers) expect_fault(answer);
