@@ -55,6 +55,7 @@ class Comparison {
     result_.plan = plan;
     result_.scores.assign(tracers, std::vector<Score>(families));
     result_.worst.assign(tracers, std::vector<std::vector<WrongCase>>(families));
+    result_.conduct.resize(tracers);
     result_.duels.assign(tracers * (tracers - 1) / 2,
                          std::vector<std::vector<Duel>>(families, std::vector<Duel>(class_count)));
   }
@@ -67,6 +68,7 @@ class Comparison {
     const Truth truth = classify(triangle, asked->ray);
     for (std::size_t i = 0; i < replies_.size(); ++i) {
       replies_[i] = ask(*result_.plan.tracers[i], *asked);
+      result_.conduct[i] += replies_[i].conduct;
       score(i, family, *asked, truth);
     }
     match(family, truth, hit(triangle, asked->ray, truth));

@@ -51,6 +51,7 @@ struct CompareResult {
   /// By pair (first < second, as of pair_index), family, class.
   std::vector<std::vector<std::vector<Duel>>> duels;
   std::vector<std::vector<std::vector<WrongCase>>> worst;  ///< by tracer, family: nominal ones first, by severity
+  std::vector<Conduct> conduct;                            ///< of each tracer
   std::uint64_t done = 0;                                  ///< cases, of all families together
 };
 

@@ -10,7 +10,6 @@
 #include "case/case_text.h"
 #include "case/input_error.h"
 #include "case/real_text.h"
-#include "float_tracer/adapters/adapter_list.h"
 #include "oracle/classify.h"
 #include "oracle/contact.h"
 #include "oracle/measure.h"
@@ -48,13 +47,6 @@ std::vector<std::string> differences(const Case& asked) {
   return found;
 }
 
-// Of a library that this build didn't find: no typing error.
-bool is_absent(std::string_view tracer) {
-  return std::ranges::any_of(adapters(), [&](const Adapter& adapter) {
-    return !adapter.make && std::ranges::find(adapter.tracers, tracer) != adapter.tracers.end();
-  });
-}
-
 class Replay {
  public:
   explicit Replay(const std::vector<const Tracer*>& tracers) : tracers_(tracers) {
@@ -87,7 +79,7 @@ class Replay {
     }
     for (const Known& known : asked.known) {
       const Tracer* const tracer = tracer_named(known.tracer);
-      if (!tracer && !is_absent(known.tracer)) {
+      if (!tracer && !absent_tracer_named(known.tracer)) {
         ++summary_.unknown_tracers[known.tracer];
       } else if (!tracer || std::ranges::find(tracers_, tracer) == tracers_.end()) {
         ++summary_.skipped_known;

@@ -138,8 +138,9 @@ std::string caption(const SweepResult& result) {
 
 constexpr std::string_view legend = R"(
 successes: answer = wish. exact: truth = wish. harness: truth != wish. false miss, false hit: answer against truth.
-lucky: answer = wish != truth. attempts - successes = harness + false miss + false hit - 2 lucky, unless the contract
-leaves an answer open (unspecified) or the tracer gives none (fault).
+lucky: answer = wish != truth. attempts - successes = harness + false miss + false hit - 2 lucky, but for rays of which
+the contract leaves the answer open (unspecified) or the tracer gives none (fault). Truth is that of what a tracer is
+asked: where its interface can't hold the ray, what that loses is harness too.
 )";
 
 }  // namespace

@@ -1,9 +1,11 @@
 // Wish, truth and answer of many rays, counted apart.
 //
 // Wish != truth is a harness error, answer != truth a tracer error, answer = wish != truth a lucky success: a tracer
-// error that looks like a success. Where nothing is unspecified and nothing a fault,
+// error that looks like a success. Truth is that of the query which the tracer was really asked: what its interface
+// loses of the ray counts as a harness error. Where nothing is unspecified and nothing a fault,
 //   attempts - successes = harness_errors + false_misses + false_hits - 2 lucky
-// since a ray fails exactly when one of harness error and tracer error happens, but not both.
+// since a ray fails exactly when one of harness error and tracer error happens, but not both. Each ray that is
+// unspecified or a fault may put this out by one, either way: it fails or not, and is nobody's error.
 #pragma once
 #include <cstdint>
 #include <optional>

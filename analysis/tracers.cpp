@@ -8,9 +8,12 @@
 #include "case/input_error.h"
 #include "case/nearest_name.h"
 #include "float_tracer/adapters/adapter_list.h"
+#include "float_tracer/kernel_list.h"
+#include "float_tracer/kernel_tracer.h"
 #include "float_tracer/pipe_tracer.h"
 #include "float_tracer/plugin.h"
 #include "float_tracer/tracer_list.h"
+#include "float_tracer/variants/variants.h"
 #include "oracle/classify.h"
 #include "oracle/measure.h"
 
@@ -60,10 +63,10 @@ std::map<std::string, std::unique_ptr<Tracer>, std::less<>>& foreign_tracers() {
   return tracers;
 }
 
-// The one place where foreign tracers are made, and where those of Isolation::process get their process.
+// The one place where foreign tracers are made. Either kind runs in processes of its own.
 std::unique_ptr<Tracer> make_foreign(const std::string& name, const ForeignOptions& options) {
   if (names_pipe(name)) return pipe_tracer(name, options.timeout);
-  return load_plugin(name);
+  return load_plugin(name, options.timeout);
 }
 
 const Tracer& find_foreign(std::string_view name, const ForeignOptions& options) {
@@ -109,10 +112,33 @@ const Tracer* tracer_named(std::string_view name) {
   return nullptr;
 }
 
+const std::vector<AbsentTracer>& absent_tracers() {
+  static const auto absent = [] {
+    const std::string other_processor = "a processor with its instructions";
+    std::vector<AbsentTracer> list;
+    const auto add = [&list](std::string name, std::string_view package, const std::string& needs) {
+      if (std::ranges::none_of(all_tracers(), [&](const auto& tracer) { return tracer->info().name == name; }))
+        list.push_back({std::move(name), std::string(package), needs});
+    };
+    for (const char* suffix : {fma_suffix, fast_math_suffix, ftz_daz_suffix})
+      for_each_kernel(
+          [&]<class Kernel>() { add(KernelTracer<Kernel>().info().name + suffix, "", other_processor); });
+    for (const Adapter& adapter : adapters())
+      for (const std::string_view name : adapter.tracers)
+        add(std::string(name), adapter.package,
+            adapter.make ? other_processor : fmt::format("{}, and a new build", adapter.needs));
+    return list;
+  }();
+  return absent;
+}
+
+const AbsentTracer* absent_tracer_named(std::string_view name) {
+  const auto it = std::ranges::find(absent_tracers(), name, &AbsentTracer::name);
+  return it == absent_tracers().end() ? nullptr : &*it;
+}
+
 std::string suggest_tracer(std::string_view name) {
-  for (const Adapter& adapter : adapters())
-    if (!adapter.make && std::ranges::find(adapter.tracers, name) != adapter.tracers.end())
-      return fmt::format("it needs {}: run cmake/install-dependencies tracers, and build again", adapter.package);
+  if (const AbsentTracer* absent = absent_tracer_named(name)) return fmt::format("it needs {}", absent->needs);
   std::vector<std::string_view> names;
   for (const auto& tracer : all_tracers()) names.push_back(tracer->info().name);
   return suggest(name, names);

@@ -86,6 +86,8 @@ void run(const Options& options) {
   Output output;
   output.write(options.json ? to_json_lines(result) : to_terminal(result));
   output.finish();
+  for (std::size_t i = 0; i < plan.tracers.size(); ++i)
+    fmt::print(stderr, "{}", complaints(plan.tracers[i]->info().name, result.conduct[i]));
   if (interrupted)
     throw std::runtime_error(fmt::format("interrupted after {} of {} cases: what is printed is of these", result.done,
                                          plan.count * plan.families.size()));

@@ -2,29 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
 
 #include "analysis/text_table.h"
 #include "case/json_object.h"
 #include "cli/output.h"
 #include "cli/verb.h"
-#include "float_tracer/adapters/adapter_list.h"
 
 namespace plumbline {
 namespace {
 
-constexpr std::string_view absent = "absent: cmake/install-dependencies tracers";
-
-// Calls it with the name and the package of each tracer whose library this build didn't find.
-template <class Use>
-void for_each_absent(Use use) {
-  for (const Adapter& adapter : adapters())
-    if (!adapter.make)
-      for (const std::string_view tracer : adapter.tracers) use(tracer, adapter.package);
-}
+std::string absent(const AbsentTracer& tracer) { return "absent: needs " + tracer.needs; }
 
 std::string_view runs(const TracerInfo& info) {
   return info.isolation == Isolation::process ? "child" : "in-process";
+}
+
+std::optional<std::string_view> package(std::string_view name) {
+  return name.empty() ? std::nullopt : std::optional(name);
 }
 
 std::string table() {
@@ -45,9 +41,8 @@ std::string table() {
                         std::string(name(c.range)), info.own_queries ? "its own" : "the ray", std::string(runs(info)),
                         info.package, info.summary, info.source});
   }
-  for_each_absent([&](std::string_view tracer, std::string_view package) {
-    all.rows.push_back({std::string(tracer), "", "", "", "", "", std::string(package), std::string(absent), ""});
-  });
+  for (const AbsentTracer& tracer : absent_tracers())
+    all.rows.push_back({tracer.name, "", "", "", "", "", tracer.package, absent(tracer), ""});
   return to_terminal(all);
 }
 
@@ -61,7 +56,7 @@ std::string json_lines() {
     object.boolean("present", true);
     object.text("summary", info.summary);
     object.text("source", info.source);
-    object.text("package", info.package.empty() ? std::nullopt : std::optional<std::string_view>(info.package));
+    object.text("package", package(info.package));
     object.text("isolation", runs(info));
     object.boolean("own_queries", info.own_queries);
     object.text("precision", name(c.precision));
@@ -76,14 +71,14 @@ std::string json_lines() {
     object.number("slack_relative", c.slack_relative);
     object.end_line();
   }
-  for_each_absent([&](std::string_view tracer, std::string_view package) {
+  for (const AbsentTracer& tracer : absent_tracers()) {
     JsonObject object(out);
-    object.text("tracer", tracer);
+    object.text("tracer", tracer.name);
     object.boolean("present", false);
-    object.text("summary", absent);
-    object.text("package", package);
+    object.text("summary", absent(tracer));
+    object.text("package", package(tracer.package));
     object.end_line();
-  });
+  }
   return out;
 }
 
@@ -103,7 +98,8 @@ void add_tracers(CLI::App& app) {
       "asked is judged). runs: in-process, or in a child (it may abort or hang; the rays that it dies of are "
       "faults).\n"
       "package: where the code under test comes from, with its version; empty: written here.\n"
-      "Tracers whose library this build didn't find come last, with what to install; then build again.\n\n"
+      "Tracers whose library this build didn't find, or whose instructions this processor lacks, come last, with "
+      "what\nthey need.\n\n"
       "JSON: tracer, present, summary, source, package (or null), isolation (in-process or child), own_queries, and "
       "the\n"
       "contract: precision, edges, range, t_min, t_max, coplanar, degenerate, culling, slack_absolute, "

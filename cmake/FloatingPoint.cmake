@@ -6,6 +6,8 @@
 add_library(plumbline_strict_fp INTERFACE)
 add_library(plumbline::strict_fp ALIAS plumbline_strict_fp)
 target_compile_options(plumbline_strict_fp INTERFACE -ffp-contract=off -fno-fast-math)
+# g++ 12's vectorizer of straight-line code loses roundings: (double)(float)x of two neighbours becomes a copy.
+target_compile_options(plumbline_strict_fp INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
 # clang takes DAZ to be off and turns a test of bits, (bits & ~sign) == 0, into a comparison of floats, which under DAZ
 # calls every subnormal zero. This keeps it from doing so.
 target_compile_options(plumbline_strict_fp INTERFACE $<$<CXX_COMPILER_ID:Clang>:-fdenormal-fp-math=dynamic>)

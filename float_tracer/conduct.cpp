@@ -2,9 +2,15 @@
 
 namespace plumbline {
 
+void Conduct::add_breach(const std::string& what, std::uint64_t times) {
+  const bool room = breaches.size() < told_apart || breaches.contains(what);
+  breaches[room ? what : "broke plumbline_tracer.h in further ways"] += times;
+}
+
 Conduct& Conduct::operator+=(const Conduct& more) {
   disturbed = disturbed || more.disturbed;
   for (const auto& [cause, rays] : more.deaths) deaths[cause] += rays;
+  for (const auto& [what, times] : more.breaches) add_breach(what, times);
   return *this;
 }
 
@@ -21,6 +27,11 @@ std::string complaints(std::string_view tracer, const Conduct& conduct) {
     }
     text.append(tracer).append(": died of ").append(std::to_string(rays)).append(rays == 1 ? " ray (" : " rays (");
     text.append(causes).append(rays == 1 ? "); it is a fault\n" : "); these are faults\n");
+  }
+  for (const auto& [what, times] : conduct.breaches) {
+    text.append(tracer).append(": ").append(what);
+    if (times > 1) text.append(" (").append(std::to_string(times)).append(" times)");
+    text += '\n';
   }
   if (conduct.disturbed) text.append(tracer).append(": left the floating-point controls changed\n");
   return text;

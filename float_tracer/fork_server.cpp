@@ -1,6 +1,7 @@
 #include "float_tracer/fork_server.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -180,6 +181,31 @@ std::optional<int> ForkServer::end(pid_t child) {
   if (retried([&] { return recv(control_.get(), &reply, sizeof reply, 0); }) != sizeof reply) return std::nullopt;
   if (reply.child != child) return std::nullopt;
   return reply.status;
+}
+
+bool wait_for(const Descriptor& socket, std::chrono::milliseconds timeout) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + timeout;
+  pollfd wanted{socket.get(), POLLIN, 0};
+  for (;;) {
+    const auto rest = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now()).count();
+    // Once more at the end: we may have been stopped, and it not.
+    const int ready = poll(&wanted, 1, static_cast<int>(std::clamp<decltype(rest)>(rest, 0, 1 << 30)));
+    if (ready > 0) return true;
+    if (ready == 0 && rest <= 0) return false;
+    if (ready < 0 && errno != EINTR) return true;
+  }
+}
+
+std::string cause_of_death(int status) {
+  if (WIFEXITED(status)) return "exit code " + std::to_string(WEXITSTATUS(status));
+  const char* const name = WIFSIGNALED(status) ? sigabbrev_np(WTERMSIG(status)) : nullptr;
+  return name ? std::string("SIG") + name : "status " + std::to_string(status);
+}
+
+std::string overdue(std::chrono::milliseconds timeout) {
+  const auto ms = timeout.count();
+  return "no answer within " + (ms % 1000 == 0 ? std::to_string(ms / 1000) + " s" : std::to_string(ms) + " ms");
 }
 
 }  // namespace plumbline

@@ -13,9 +13,11 @@
 #pragma once
 #include <sys/types.h>
 
+#include <chrono>
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <string>
 
 #include "float_tracer/descriptor.h"
 
@@ -44,5 +46,14 @@ class ForkServer {
   Descriptor control_;
   pid_t server_ = -1, owner_;
 };
+
+/// Whether there is something to read on a child's socket, or nobody left to write it, before the time is over.
+bool wait_for(const Descriptor& socket, std::chrono::milliseconds timeout);
+
+/// "SIGABRT", "exit code 3": a status of ForkServer::end.
+std::string cause_of_death(int status);
+
+/// "no answer within 10 s".
+std::string overdue(std::chrono::milliseconds timeout);
 
 }  // namespace plumbline

@@ -1,14 +1,11 @@
 #include "float_tracer/isolated.h"
 
-#include <poll.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <exception>
 #include <mutex>
@@ -17,13 +14,12 @@
 #include <type_traits>
 
 #include "float_tracer/descriptor.h"
+#include "float_tracer/fixed_text.h"
 #include "float_tracer/float_environment.h"
 #include "float_tracer/fork_server.h"
 
 namespace plumbline {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t largest_batch = 65536;
 
@@ -47,6 +43,11 @@ struct Job {
   std::atomic<std::size_t> at = 0;  // the ray under way; the answers before it are there, if one by one
   bool disturbed = false, threw = false;
   char what[200] = {};
+  std::size_t breaches = 0;
+  struct Breach {
+    char what[184];
+    std::uint64_t times;
+  } breach[Conduct::told_apart + 1];
 };
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<std::size_t>::is_always_lock_free);
 static_assert(std::is_trivially_copyable_v<Triangle> && std::is_trivially_copyable_v<Ray> &&
@@ -98,12 +99,25 @@ struct Prepared {
   std::uint64_t number = 0;
 };
 
+void tell(const Conduct& conduct, Job& job) {
+  job.disturbed = conduct.disturbed;
+  job.breaches = 0;
+  for (const auto& [what, times] : conduct.breaches) {
+    Job::Breach& breach = job.breach[job.breaches++];
+    copy_text(what, breach.what);
+    breach.times = times;
+  }
+}
+
 void do_job(const Tracer& tracer, Prepared& prepared, SharedMemory& memory) {
   Job& job = memory.job();
   const FloatEnvironment environment = job.environment;
   environment.restore();
+  Conduct conduct;  // during this job
   const auto tidy_up = [&] {
-    if (environment.restore() || prepared.bag->disturbed()) job.disturbed = true;
+    conduct += prepared.bag->take_conduct();
+    if (environment.restore()) conduct.disturbed = true;
+    tell(conduct, job);
   };
   if (prepared.number != job.bag) {
     job.building = true;
@@ -136,7 +150,7 @@ void work(const Tracer& tracer, Descriptor socket, Descriptor file) {
     try {
       do_job(tracer, prepared, *memory);
     } catch (const std::exception& error) {
-      std::strncpy(memory->job().what, error.what(), sizeof Job::what - 1);
+      copy_text(error.what(), memory->job().what);
       memory->job().threw = true;
       _exit(1);  // as if it had died of it: what it holds may be broken
     } catch (...) {
@@ -154,12 +168,6 @@ struct Death {
   bool building = false;
   std::size_t at = 0;
 };
-
-std::string cause_of(int status) {
-  if (WIFEXITED(status)) return "exit code " + std::to_string(WEXITSTATUS(status));
-  const char* const name = WIFSIGNALED(status) ? sigabbrev_np(WTERMSIG(status)) : nullptr;
-  return name ? std::string("SIG") + name : "status " + std::to_string(status);
-}
 
 class Child {
  public:
@@ -202,7 +210,7 @@ class Child {
     bag_ = memory_->job().bag;
     const std::size_t size = memory_->size();
     if (send(socket_.get(), &size, sizeof size, MSG_NOSIGNAL) < 0) return death(false, timeout);
-    for (std::size_t at = memory_->job().first; !wait(timeout);) {
+    for (std::size_t at = memory_->job().first; !wait_for(socket_, timeout);) {
       const std::size_t now = memory_->job().at;
       if (now == at || !memory_->job().one_by_one) return death(true, timeout);
       at = now;
@@ -215,33 +223,17 @@ class Child {
  private:
   [[noreturn]] static void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
-  // Whether there is something to read, or nobody to write it any more.
-  bool wait(std::chrono::milliseconds timeout) const {
-    const auto end = Clock::now() + timeout;
-    pollfd wanted{socket_.get(), POLLIN, 0};
-    for (;;) {
-      const auto rest = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now()).count();
-      // Once more at the end: we may have been stopped, and it not.
-      const int ready = poll(&wanted, 1, static_cast<int>(std::clamp<decltype(rest)>(rest, 0, 1 << 30)));
-      if (ready > 0) return true;
-      if (ready == 0 && rest <= 0) return false;
-      if (ready < 0 && errno != EINTR) return true;
-    }
-  }
-
   Death death(bool hung, std::chrono::milliseconds timeout) {
     const std::optional<int> status = server_->end(std::exchange(process_, -1));
     const Job& job = memory_->job();
     Death death{.cause = {}, .building = job.building, .at = std::clamp<std::size_t>(job.at, job.first, job.rays)};
     if (hung) {
-      const auto ms = timeout.count();
-      death.cause =
-          "no answer within " + (ms % 1000 == 0 ? std::to_string(ms / 1000) + " s" : std::to_string(ms) + " ms");
+      death.cause = overdue(timeout);
     } else if (job.threw) {
-      const std::string what(job.what, strnlen(job.what, sizeof job.what));
+      const std::string what = text_in(job.what);
       death.cause = what.empty() ? "an exception" : "exception: " + what;
     } else {
-      death.cause = status ? cause_of(*status) : "killed with its server";
+      death.cause = status ? cause_of_death(*status) : "killed with its server";
     }
     return death;
   }
@@ -370,7 +362,7 @@ class IsolatedBag final : public PreparedBag {
       const bool fresh = child->fresh();
       SharedMemory& memory = fill(*child, rays, one_by_one, first);
       const std::optional<Death> death = child->run(household_->timeout());
-      if (memory.job().disturbed) conduct_.disturbed = true;
+      if (!death || one_by_one) take_conduct_from(memory.job());  // else all of it is done again
       const std::size_t end = !death ? rays.size() : one_by_one && !death->building ? death->at : first;
       std::copy(memory.answers() + first, memory.answers() + end,
                 answers.begin() + static_cast<std::ptrdiff_t>(first));
@@ -393,6 +385,12 @@ class IsolatedBag final : public PreparedBag {
       one_by_one = true;
     }
     if (child) household_->give_back(std::move(child));
+  }
+
+  void take_conduct_from(const Job& job) {
+    if (job.disturbed) conduct_.disturbed = true;
+    for (const auto& [what, times] : std::span(job.breach).first(std::min(job.breaches, std::size(job.breach))))
+      conduct_.add_breach(text_in(what), times);
   }
 
   SharedMemory& fill(Child& child, std::span<const Ray> rays, bool one_by_one, std::size_t first) {

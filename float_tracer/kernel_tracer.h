@@ -43,15 +43,20 @@ class PreparedKernelBag final : public PreparedBag {
 
   // One triangle, the commonest bag: nothing is compared. Flat, that is with the kernel inlined: an optional returned
   // through memory is read in other pieces than it was written in, and the processor waits for it, which takes longer
-  // than the kernel. The triangle isn't copied for the same reason. Not inlined, so that it's the same loop whether or
-  // not it is asked why: in variants/ the compiler may reorder sums, and does so by what is around them.
+  // than the kernel. The triangle is a copy that no answer can overlap, so that the compiler loads and arranges it
+  // once; a hit and a miss are written by stores of their own, not by a choice between two answers. Not inlined, so
+  // that it's the same loop whether or not it is asked why: in variants/ the compiler may reorder sums, and does so by
+  // what is around them.
   template <class Why = Unasked>
-  [[gnu::flatten, gnu::noinline]] static void answer_of(const typename Kernel::PreparedTriangle& triangle,
+  [[gnu::flatten, gnu::noinline]] static void answer_of(const typename Kernel::PreparedTriangle triangle,
                                                         std::span<const Ray> rays, std::span<Answer> answers,
                                                         Why why = {}) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      const auto hit = Kernel::intersect(triangle, prepare(rays[i]), why);
-      answers[i] = hit ? to_answer(*hit, 0) : Answer{};
+      if (const auto hit = Kernel::intersect(triangle, prepare(rays[i]), why)) {
+        answers[i] = to_answer(*hit, 0);
+      } else {
+        answers[i] = {};
+      }
     }
   }
 
@@ -70,6 +75,7 @@ class PreparedKernelBag final : public PreparedBag {
             .v = hit.v};
   }
 
+  // Not adapters/nearest.h: an Answer of each triangle would go through memory, as above.
   Answer nearest(const Ray& r) const {
     const typename Kernel::PreparedRay ray = prepare(r);
     std::optional<KernelHit<Real>> best;

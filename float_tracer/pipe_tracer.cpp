@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <charconv>
 #include <mutex>
 #include <vector>
 
 #include "case/case_json.h"
+#include "case/contract_text.h"
 #include "case/input_error.h"
 #include "float_tracer/child_program.h"
 #include "float_tracer/complaints.h"
@@ -16,7 +18,6 @@
 namespace plumbline {
 namespace {
 
-constexpr std::string_view prefix64 = "pipe:", prefix32 = "pipe32:";
 constexpr std::size_t batch_size = 256;
 constexpr unsigned give_up_after = 20;  // faults in a row
 
@@ -279,24 +280,51 @@ void check_that_it_answers(Programs& programs, const std::string& name, Precisio
   throw InputError(fmt::format("{}: {}; try: echo '{}' | {}", name, exchange.what(), line, programs.command()));
 }
 
+struct Parsed {
+  Contract contract;
+  std::string command;
+};
+
+// KIND:COMMAND or KIND[CONTRACT]:COMMAND
+Parsed parsed(const std::string& name) {
+  Parsed r;
+  r.contract.precision = name.starts_with("pipe32") ? Precision::binary32 : Precision::binary64;
+  std::size_t end = name.find_first_of(":[");
+  if (name[end] == '[') {
+    const std::size_t begin = end + 1;
+    end = name.find("]:", begin);
+    if (end == name.npos)
+      throw InputError(fmt::format("{}: no ']:' behind the '['; write 'pipe[edges=open]:./my_program'", name));
+    try {
+      r.contract = changed(r.contract, std::string_view(name).substr(begin, end - begin));
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}", name, error.what()));
+    }
+    ++end;
+  }
+  r.command = name.substr(end + 1);
+  return r;
+}
+
 }  // namespace
 
-bool names_pipe(std::string_view name) { return name.starts_with(prefix64) || name.starts_with(prefix32); }
+bool names_pipe(std::string_view name) {
+  return std::ranges::any_of(std::array{"pipe:", "pipe[", "pipe32:", "pipe32["},
+                             [&](std::string_view kind) { return name.starts_with(kind); });
+}
 
 std::unique_ptr<Tracer> pipe_tracer(const std::string& name, double timeout) {
-  const bool single = name.starts_with(prefix32);
-  const std::string command = name.substr(single ? prefix32.size() : prefix64.size());
+  auto [contract, command] = parsed(name);
   if (command.find_first_not_of(" \t") == command.npos)
     throw InputError(fmt::format("{}: no command; write --tracer 'pipe:./my_program'", name));
-  const Precision precision = single ? Precision::binary32 : Precision::binary64;
   auto programs = std::make_unique<Programs>(name, command, timeout);
-  check_that_it_answers(*programs, name, precision);
+  check_that_it_answers(*programs, name, contract.precision);
   // It is in a process of its own already: it needs no isolation.
   return std::make_unique<PipeTracer>(std::move(programs), TracerInfo{.name = name,
                                                                       .summary = "a program that is asked by a pipe",
                                                                       .source = command,
                                                                       .package = command,
-                                                                      .contract = {.precision = precision}});
+                                                                      .contract = contract});
 }
 
 }  // namespace plumbline

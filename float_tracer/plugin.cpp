@@ -2,26 +2,30 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <sys/socket.h>
 
 #include <algorithm>
-#include <array>
+#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <mutex>
 #include <optional>
 #include <system_error>
+#include <type_traits>
 #include <vector>
 
 #include "case/input_error.h"
-#include "float_tracer/complaints.h"
+#include "float_tracer/fixed_text.h"
 #include "float_tracer/float_environment.h"
+#include "float_tracer/fork_server.h"
+#include "float_tracer/isolated.h"
 #include "float_tracer/plumbline_tracer.h"
 
 namespace plumbline {
 namespace {
 
 constexpr std::uint32_t unset = 0xdeadbeef;  // no outcome
+constexpr std::size_t longest_name = 299;
 constexpr std::size_t guards = 8;            // answers behind the last: a batch that overflows is seen, mostly
 
 // The functions of one precision.
@@ -38,21 +42,6 @@ struct Functions<double> {
   using Ray = plumbline_ray_f64;
   static auto prepare(const plumbline_tracer_table& table) { return table.prepare_f64; }
   static auto trace(const plumbline_tracer_table& table) { return table.trace_f64; }
-};
-
-// What the tracer and its bags share.
-struct Library {
-  Library(const plumbline_tracer_table* functions, const std::string& path) : table(functions), complaints(path) {}
-
-  // Held during every call into it.
-  std::unique_lock<std::mutex> enter() {
-    return concurrent ? std::unique_lock<std::mutex>() : std::unique_lock(mutex);
-  }
-
-  const plumbline_tracer_table* table;
-  Complaints complaints;
-  bool concurrent = false;
-  std::mutex mutex;
 };
 
 template <class Real>
@@ -86,40 +75,33 @@ class PluginBag final : public PreparedBag {
   using Functions = plumbline::Functions<Real>;
 
  public:
-  PluginBag(Library& library, const Bag& bag) : library_(library), triangles_(bag.triangles.size()) {
+  PluginBag(const plumbline_tracer_table& table, const Bag& bag) : table_(table), triangles_(bag.triangles.size()) {
     const auto numbers = vertices<Real>(bag);
-    const auto lock = library_.enter();
-    const FloatEnvironment before;
-    bag_ = Functions::prepare(*library_.table)(numbers.data(), triangles_);
-    before.restore();
+    bag_ = Functions::prepare(table_)(numbers.data(), triangles_);
   }
   PluginBag(const PluginBag&) = delete;
   PluginBag& operator=(const PluginBag&) = delete;
   ~PluginBag() override {
     if (!bag_) return;
-    const auto lock = library_.enter();
     const FloatEnvironment before;
-    library_.table->release(bag_);
+    table_.release(bag_);
     before.restore();
   }
 
   Query asked(const Ray& ray) override {
-    if (!bag_ || !library_.table->asked) return ray;
+    if (!bag_ || !table_.asked) return ray;
     plumbline_query query{};
     put(query.origin, ray.origin);
     put(query.direction, ray.direction);
     query.t_min = ray.t_min;
     query.t_max = ray.t_max;
-    {
-      const auto lock = library_.enter();
-      const FloatEnvironment before;
-      library_.table->asked(bag_, &query);
-      before.restore();
-    }
+    const FloatEnvironment before;
+    table_.asked(bag_, &query);
+    if (before.restore()) conduct_.disturbed = true;
     Query said(Ray{vec(query.origin), vec(query.direction), query.t_min, query.t_max});
     said.direction_tail = vec(query.direction_tail);
     if (!tail_is_impossible(said)) return said;
-    library_.complaints.add("asked() gave a direction_tail of more than half a unit in the last place; not used");
+    conduct_.add_breach("asked() gave a direction_tail of more than half a unit in the last place; not used");
     return ray;
   }
 
@@ -137,13 +119,9 @@ class PluginBag final : public PreparedBag {
     plumbline_answer blank{};
     blank.outcome = unset;
     said_.assign(rays.size() + guards, blank);
-    std::size_t answered = 0;
-    {
-      const auto lock = library_.enter();
-      answered = Functions::trace(*library_.table)(bag_, put_rays_.data(), rays.size(), said_.data());
-    }
+    const std::size_t answered = Functions::trace(table_)(bag_, put_rays_.data(), rays.size(), said_.data());
     if (const std::string lie = lie_about(answered, rays.size()); !lie.empty())
-      return library_.complaints.add(fmt::format("{}; all {} are faults", lie, rays.size()));
+      return conduct_.add_breach(fmt::format("{}; all {} are faults", lie, rays.size()));
     for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = checked(said_[i]);
   }
 
@@ -166,7 +144,7 @@ class PluginBag final : public PreparedBag {
         return {.outcome = Outcome::fault};
       case PLUMBLINE_HIT:
         if (said.triangle >= triangles_) {
-          library_.complaints.add(
+          conduct_.add_breach(
               fmt::format("trace() hit triangle {} of {} (they count from 0); a fault", said.triangle, triangles_));
           return {.outcome = Outcome::fault};
         }
@@ -178,30 +156,17 @@ class PluginBag final : public PreparedBag {
                 .u = said.has_uv != 0 ? said.u : 0,
                 .v = said.has_uv != 0 ? said.v : 0};
       default:
-        library_.complaints.add(fmt::format(
+        conduct_.add_breach(fmt::format(
             "trace() gave the outcome {}, which is no PLUMBLINE_MISS, HIT or FAULT; a fault", said.outcome));
         return {.outcome = Outcome::fault};
     }
   }
 
-  Library& library_;
+  const plumbline_tracer_table& table_;
   std::size_t triangles_;
   void* bag_ = nullptr;  // null: the tracer can't take the triangles
   std::vector<typename Functions::Ray> put_rays_;
   std::vector<plumbline_answer> said_;
-};
-
-class Plugin final : public Tracer {
- public:
-  Plugin(std::unique_ptr<Library> library, TracerInfo info) : Tracer(std::move(info)), library_(std::move(library)) {}
-
-  std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override {
-    if (info().contract.precision == Precision::binary32) return std::make_unique<PluginBag<float>>(*library_, bag);
-    return std::make_unique<PluginBag<double>>(*library_, bag);
-  }
-
- private:
-  std::unique_ptr<Library> library_;
 };
 
 [[noreturn]] void refuse(const std::string& path, std::string_view what) {
@@ -277,16 +242,17 @@ std::string name_of(const std::string& path, const plumbline_description& said) 
   if (!said.name) return std::filesystem::path(path).stem().string();
   const std::string name = said.name;
   const bool one_word = std::ranges::all_of(name, [](unsigned char c) { return c > 0x20 && c != 0x7f; });
-  if (name.empty() || !one_word)
+  if (name.empty() || name.size() > longest_name || !one_word)
     refuse(path, fmt::format("describe() set the name '{}'; set one word, such as my_tracer", name));
   return name;
 }
 
-}  // namespace
+struct Library {
+  const plumbline_tracer_table* table;
+  TracerInfo info;
+};
 
-bool names_plugin(std::string_view name) { return name.find('/') != name.npos || name.ends_with(".so"); }
-
-std::unique_ptr<Tracer> load_plugin(const std::string& path) {
+Library load(const std::string& path) {
   const FloatEnvironment before;  // a library that was linked with -ffast-math flushes subnormals from its loading on
   const plumbline_tracer_table* const table = open(path);
   if (table->version != PLUMBLINE_TRACER_VERSION)
@@ -308,16 +274,93 @@ std::unique_ptr<Tracer> load_plugin(const std::string& path) {
   check_function(path, single ? table->trace_f32 != nullptr : table->trace_f64 != nullptr,
                  single ? "trace_f32" : "trace_f64", instead);
   check_function(path, table->release, "release", ", even if it does nothing");
+  return {table,
+          {.name = name_of(path, said),
+           .summary = said.summary ? said.summary : "",
+           .source = path,
+           .package = path,
+           .contract = contract,
+           .own_queries = table->asked != nullptr,
+           .isolation = Isolation::process}};
+}
 
-  auto library = std::make_unique<Library>(table, path);
-  library->concurrent = said.concurrent != 0;
-  return std::make_unique<Plugin>(std::move(library), TracerInfo{.name = name_of(path, said),
-                                                                 .summary = said.summary ? said.summary : "",
-                                                                 .source = path,
-                                                                 .package = path,
-                                                                 .contract = contract,
-                                                                 .own_queries = table->asked != nullptr,
-                                                                 .isolation = Isolation::none});
+// In the child that `isolated` makes: there the library is loaded, by the first bag.
+class Plugin final : public Tracer {
+ public:
+  explicit Plugin(TracerInfo info) : Tracer(std::move(info)) {}
+
+  std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override {
+    if (!table_) table_ = load(info().source).table;
+    if (info().contract.precision == Precision::binary32) return std::make_unique<PluginBag<float>>(*table_, bag);
+    return std::make_unique<PluginBag<double>>(*table_, bag);
+  }
+
+ private:
+  mutable const plumbline_tracer_table* table_ = nullptr;  // a child has one thread
+};
+
+// What a child that has loaded the library says of it, in one message.
+struct Description {
+  char refusal[1000];  // empty: none
+  char name[longest_name + 1], summary[1000];
+  Contract contract;
+  bool own_queries;
+};
+static_assert(std::is_trivially_copyable_v<Description>);
+
+Description describe(const std::string& path) {
+  Description said{};
+  try {
+    const TracerInfo info = load(path).info;
+    copy_text(info.name, said.name);
+    copy_text(info.summary, said.summary);
+    said.contract = info.contract;
+    said.own_queries = info.own_queries;
+  } catch (const InputError& error) {
+    copy_text(error.what(), said.refusal);
+  }
+  return said;
+}
+
+Description describe_in_child(const std::string& path, std::chrono::milliseconds timeout) {
+  ForkServer server([&path](Descriptor socket, Descriptor) {
+    const Description said = describe(path);
+    send(socket.get(), &said, sizeof said, MSG_NOSIGNAL);
+  });
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0)
+    throw std::system_error(errno, std::generic_category(), "no socket for a child process");
+  const Descriptor ours(ends[0]);
+  Descriptor theirs(ends[1]);
+  const pid_t child = server.start(theirs.get(), theirs.get());
+  if (child < 0) throw std::system_error(EAGAIN, std::generic_category(), "no child process");
+  theirs = Descriptor();
+  Description said;
+  const bool in_time = wait_for(ours, timeout);
+  const bool whole = in_time && recv(ours.get(), &said, sizeof said, 0) == sizeof said;
+  const std::optional<int> status = server.end(child);
+  if (!whole)
+    refuse(path, fmt::format("it can't be loaded and describe itself: {}; load it in a program of yours to see why",
+                             in_time && status ? cause_of_death(*status) : overdue(timeout)));
+  return said;
+}
+
+}  // namespace
+
+bool names_plugin(std::string_view name) { return name.find('/') != name.npos || name.ends_with(".so"); }
+
+std::unique_ptr<Tracer> load_plugin(const std::string& path, double timeout) {
+  const std::chrono::milliseconds limit(std::llround(std::ceil(1000 * timeout)));
+  const Description said = describe_in_child(path, limit);
+  if (said.refusal[0] != 0) throw InputError(said.refusal);
+  return isolated(std::make_unique<Plugin>(TracerInfo{.name = said.name,
+                                                      .summary = said.summary,
+                                                      .source = path,
+                                                      .package = path,
+                                                      .contract = said.contract,
+                                                      .own_queries = said.own_queries,
+                                                      .isolation = Isolation::process}),
+                  {.timeout = limit});
 }
 
 }  // namespace plumbline

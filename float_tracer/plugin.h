@@ -1,9 +1,10 @@
 // Tracers from shared libraries: whoever implements plumbline_tracer.h is under test like the tracers of this build.
 //
-// What the library says is checked, not believed: a batch of which it answers fewer or more rays than asked, writes
-// beyond the answers, or leaves one unset, is Outcome::fault, all of it; so is an answer with an unknown outcome or a
-// triangle that isn't there; an impossible `asked` is not used. Each is told on standard error. The mode of the bag
-// is not read: every triangle counts as a surface. The library is never unloaded: code of it may still run at exit.
+// No code of the library ever runs in this process: it is loaded in child processes only (see isolated.h), where it
+// may abort, hang or print. What it says is checked, not believed: a batch of which it answers fewer or more rays
+// than asked, writes beyond the answers, or leaves one unset, is Outcome::fault, all of it; so is an answer with an
+// unknown outcome or a triangle that isn't there; an impossible `asked` is not used. Each is a breach in
+// PreparedBag::conduct. The mode of the bag is not read: every triangle counts as a surface.
 #pragma once
 #include <memory>
 #include <string>
@@ -17,7 +18,8 @@ namespace plumbline {
 bool names_plugin(std::string_view name);
 
 /// Throws InputError that names the file, the place and the fix: not there, no library, not of this interface or
-/// version, a function missing, a description without sense.
-std::unique_ptr<Tracer> load_plugin(const std::string& path);
+/// version, a function missing, a description without sense, death while it is loaded or describes itself. `timeout`
+/// is in seconds, for that and as in IsolationLimits. Throws std::system_error where there can be no process.
+std::unique_ptr<Tracer> load_plugin(const std::string& path, double timeout = 10);
 
 }  // namespace plumbline

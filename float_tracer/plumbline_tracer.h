@@ -5,8 +5,9 @@
 // stay valid until the library is unloaded. A tracer reads binary32 or binary64 numbers, and fills in the functions
 // of that precision. It is judged by what describe() says that it promises: say what its documentation says.
 //
-// Calls never overlap unless `concurrent` is set, but may come from different threads. The processor's floating-point
-// controls are the default ones at every call (round to nearest, subnormals kept) and are put back afterwards.
+// It runs in child processes, where it may abort, hang or print: a ray that it dies of is a fault, and nothing else
+// is lost. Each child has one thread; standard input, output and error are /dev/null. The processor's floating-point
+// controls are the default ones at every call (round to nearest, subnormals kept); leaving them changed is told.
 #ifndef PLUMBLINE_TRACER_H
 #define PLUMBLINE_TRACER_H
 
@@ -18,7 +19,7 @@ extern "C" {
 #endif
 
 // Another version has another layout: a library is loaded only by a program of the same version.
-#define PLUMBLINE_TRACER_VERSION 1u
+#define PLUMBLINE_TRACER_VERSION 2u
 
 // What the tracer is and promises. All is zero when describe() is called: fill in the precision, and what differs.
 typedef struct plumbline_description {
@@ -31,7 +32,6 @@ typedef struct plumbline_description {
   uint32_t coplanar;      // a ray within the triangle's plane, PLUMBLINE_TOUCH_...
   uint32_t degenerate;    // a triangle without area, PLUMBLINE_TOUCH_...
   uint32_t culling;       // PLUMBLINE_CULLING_...
-  uint32_t concurrent;    // 1: calls for different bags may overlap in several threads
   double slack_absolute;  // by how much it widens a triangle, as a length
   double slack_relative;  // the same, as a multiple of the longest edge
 } plumbline_description;
@@ -106,7 +106,7 @@ typedef struct plumbline_tracer_table {
   // NULL: it is asked the ray as given. Else: fills in what it is really asked, which is the ray when called.
   void (*asked)(void* bag, plumbline_query* query);
 
-  // Once for each bag that prepare returned, unless NULL.
+  // Once for each bag that prepare returned, unless NULL; the last ones go with their process instead.
   void (*release)(void* bag);
 } plumbline_tracer_table;
 

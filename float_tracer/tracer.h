@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "case/answer.h"
@@ -34,8 +35,11 @@ class PreparedBag {
   /// Whether a call of trace, up to now, left the floating-point controls changed.
   bool disturbed() const { return conduct_.disturbed; }
 
-  /// That, and what it died of, up to now.
+  /// That, what it died of, and where it broke its interface, up to now.
   const Conduct& conduct() const { return conduct_; }
+
+  /// The same, since it was taken last.
+  Conduct take_conduct() { return std::exchange(conduct_, {}); }
 
  protected:
   Conduct conduct_;

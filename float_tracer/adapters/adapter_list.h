@@ -10,6 +10,7 @@ namespace plumbline {
 
 struct Adapter {
   std::string_view package;               ///< Debian's
+  std::string_view needs;                 ///< what to do where it was not found
   std::vector<std::string_view> tracers;  ///< names, in the order of `make`
   std::vector<std::unique_ptr<Tracer>> (*make)();  ///< null where the package was not found
 };

@@ -37,7 +37,10 @@ class PreparedBullet final : public PreparedBag {
     for (const Triangle& t : bag.triangles) triangles_.push_back({to_bullet(t.a), to_bullet(t.b), to_bullet(t.c)});
   }
 
-  Query asked(const Ray& ray) override { return asked_by(segment(ray), ray); }
+  Query asked(const Ray& ray) override {
+    const auto ends = segment(ray);
+    return ends ? ends->query : ray;
+  }
 
  private:
   std::optional<Segment> segment(const Ray& ray) const { return segment_of(ray, largest_, Precision::binary32); }

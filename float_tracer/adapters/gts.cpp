@@ -2,11 +2,18 @@
 
 #include <gts.h>
 
+#include <algorithm>
+#include <limits>
+
+#include "case/finite.h"
+#include "float_tracer/adapters/nearest.h"
 #include "float_tracer/adapters/prepared_triangles.h"
-#include "float_tracer/adapters/segment_of_ray.h"
+#include "float_tracer/adapters/segment.h"
 
 namespace plumbline {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Destroy {
   void operator()(void* object) const { gts_object_destroy(static_cast<GtsObject*>(object)); }
@@ -25,18 +32,25 @@ Owned<GtsTriangle> build(const Triangle& t) {
 
 void move(GtsVertex* v, const Vec3& to) { gts_point_set(&v->p, to.x, to.y, to.z); }
 
+// No t is in it: a miss whatever is met, and no segment has such a range.
+bool has_empty_range(const Ray& ray) {
+  return ray.t_min > ray.t_max || ray.t_min == infinity || ray.t_max == -infinity;
+}
+
 class PreparedGts final : public PreparedBag {
  public:
   explicit PreparedGts(const Bag& bag)
-      : reach_(reach(bag)), segment_(gts_segment_new(gts_segment_class(), vertex({}), vertex({}))) {
-    if (!reach_) return;
+      : largest_(largest_coordinate(bag)),
+        takes_(std::ranges::all_of(bag.triangles, [](const Triangle& t) { return is_finite(t); })),
+        segment_(gts_segment_new(gts_segment_class(), vertex({}), vertex({}))) {
+    if (!takes_) return;
     triangles_.reserve(bag.triangles.size());
     for (const Triangle& t : bag.triangles) triangles_.push_back(build(t));
   }
 
   Query asked(const Ray& ray) override {
     const auto segment = segment_for(ray);
-    return segment && !has_empty_range(ray) ? segment->query : ray;
+    return segment ? segment->query : ray;
   }
 
  private:
@@ -45,26 +59,22 @@ class PreparedGts final : public PreparedBag {
   }
 
   Answer answer(const Ray& ray) {
-    if (reach_ && has_empty_range(ray)) return {};
+    if (takes_ && has_empty_range(ray)) return {};
     const auto segment = segment_for(ray);
     if (!segment) return {.outcome = Outcome::fault};
     move(segment_->v1, segment->from);
     move(segment_->v2, segment->to);
-    Answer nearest;
-    for (std::uint32_t k = 0; k < triangles_.size(); ++k) {
-      GtsPoint* const p =
-          gts_segment_triangle_intersection(segment_.get(), triangles_[k].get(), TRUE, gts_point_class());
-      if (!p) continue;
+    return nearest(triangles_, [&](const Owned<GtsTriangle>& triangle) -> Answer {
+      GtsPoint* const p = gts_segment_triangle_intersection(segment_.get(), triangle.get(), TRUE, gts_point_class());
+      if (!p) return {};
       const double t = parameter_of({p->x, p->y, p->z}, segment->query.ray);
-      if (nearest.outcome != Outcome::hit || t < nearest.t)
-        nearest = {.outcome = Outcome::hit, .has_t = true, .triangle = k, .t = t};
-      if (is_new(p, triangles_[k].get())) gts_object_destroy(&p->object);
-    }
-    return nearest;
+      if (is_new(p, triangle.get())) gts_object_destroy(&p->object);
+      return {.outcome = Outcome::hit, .has_t = true, .t = t};
+    });
   }
 
-  std::optional<SegmentOfRay> segment_for(const Ray& ray) const {
-    return reach_ ? segment_of(ray, *reach_) : std::nullopt;
+  std::optional<Segment> segment_for(const Ray& ray) const {
+    return takes_ ? segment_of(ray, largest_, Precision::binary64) : std::nullopt;
   }
 
   bool is_new(const GtsPoint* p, GtsTriangle* triangle) const {
@@ -73,7 +83,8 @@ class PreparedGts final : public PreparedBag {
     return p != &a->p && p != &b->p && p != &c->p && p != &segment_->v1->p && p != &segment_->v2->p;
   }
 
-  std::optional<double> reach_;
+  double largest_;
+  bool takes_;
   std::vector<Owned<GtsTriangle>> triangles_;
   Owned<GtsSegment> segment_;  // moved from ray to ray
 };

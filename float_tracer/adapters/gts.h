@@ -5,7 +5,7 @@
 // intersect", the boundary of t included; none "if s is contained in the plane". So: closed edges, closed ends,
 // coplanar is a miss. Of triangles without area it says nothing.
 //
-// It takes a segment: see segment_of_ray.h for its ends; t counts in the query through them. A ray that no segment
+// It takes a segment: see segment.h for its ends; t counts in the query through them. A ray that no segment
 // can stand for, and every ray at a bag with a coordinate that is not finite, is Outcome::fault. t is read off the
 // point that it returns, along the direction's largest component; that point is rounded, only its existence is not.
 // Of several triangles the one with the least such t is named. The mode of the bag is not read.

@@ -4,7 +4,8 @@
 #include <ignition/math/Triangle3.hh>
 #include <ignition/math/config.hh>
 
-#include "float_tracer/adapters/segment_probe.h"
+#include "float_tracer/adapters/prepared_triangles.h"
+#include "float_tracer/adapters/segment.h"
 
 namespace plumbline {
 namespace {
@@ -31,7 +32,7 @@ struct GzMath {
   static bool takes(const plumbline::Triangle& t) { return is_finite(t); }
 
   static std::optional<Probe> probe(const Ray& ray, double largest) {
-    const auto segment = segment_probe<Real>(ray, largest);
+    const auto segment = segment_of(ray, largest, precision_of<Real>());
     if (!segment) return std::nullopt;
     return Probe{.line = {to_gz<Real>(segment->from), to_gz<Real>(segment->to)}, .query = segment->query};
   }

@@ -1,7 +1,7 @@
 // Gazebo's (formerly Ignition) Math (libignition-math-dev), Triangle3<T>::Intersects(Line3<T>, point), templates in
 // its headers over a compiled library; built only where CMake finds it.
 //
-// A Line3 is a segment; segment_probe.h says which. Its documentation: "True if the given line intersects this
+// A Line3 is a segment; segment.h says which. Its documentation: "True if the given line intersects this
 // triangle", the point given being "the point on the triangle that the line intersects", and of a segment in the
 // plane that on the closest edge, or its start if it is within: edges (where a point "inside or on the triangle" is
 // contained) are closed, and coplanar segments are hits. Of the segment's ends and of triangles without area it says

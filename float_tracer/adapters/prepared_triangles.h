@@ -22,24 +22,19 @@
 
 #include "case/finite.h"
 #include "float_tracer/adapters/nearest.h"
+#include "float_tracer/adapters/segment.h"
 #include "float_tracer/tracer.h"
 
 namespace plumbline {
 
-/// The largest magnitude of a component; a NaN is passed over.
-inline double largest_of(const Vec3& v) {
-  return std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
-}
-
 template <class Library>
 class PreparedTriangles final : public PreparedBag {
  public:
-  explicit PreparedTriangles(const Bag& bag) {
+  explicit PreparedTriangles(const Bag& bag) : largest_(largest_coordinate(bag)) {
     triangles_.reserve(bag.triangles.size());
     for (const Triangle& t : bag.triangles) {
       takes_ = takes_ && Library::takes(t);
       triangles_.push_back(Library::to_triangle(t));
-      for (const Vec3& vertex : {t.a, t.b, t.c}) largest_ = std::fmax(largest_, largest_of(vertex));
     }
   }
 
@@ -60,7 +55,7 @@ class PreparedTriangles final : public PreparedBag {
   }
 
   std::vector<typename Library::Triangle> triangles_;
-  double largest_ = 0;
+  double largest_;
   bool takes_ = true;
 };
 

@@ -14,7 +14,8 @@
 #include <vtkTriangle.h>
 #include <vtkVersionMacros.h>
 
-#include "float_tracer/adapters/segment_probe.h"
+#include "case/finite.h"
+#include "float_tracer/adapters/segment.h"
 
 namespace plumbline {
 namespace {
@@ -39,16 +40,13 @@ struct Found {
 
 class PreparedSegments : public PreparedBag {
  public:
-  explicit PreparedSegments(const Bag& bag) {
-    for (const Triangle& t : bag.triangles) {
-      takes_ = takes_ && is_finite(t);
-      for (const Vec3& vertex : {t.a, t.b, t.c}) largest_ = std::fmax(largest_, largest_of(vertex));
-    }
+  explicit PreparedSegments(const Bag& bag) : largest_(largest_coordinate(bag)) {
+    for (const Triangle& t : bag.triangles) takes_ = takes_ && is_finite(t);
   }
 
   Query asked(const Ray& ray) override {
-    const auto probe = segment_probe<double>(ray, largest_);
-    return probe ? probe->query : Query(ray);
+    const auto segment = segment_of(ray, largest_, Precision::binary64);
+    return segment ? segment->query : Query(ray);
   }
 
  protected:
@@ -59,18 +57,18 @@ class PreparedSegments : public PreparedBag {
 
   void answer(std::span<const Ray> rays, std::span<Answer> answers) override {
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      const auto probe = segment_probe<double>(rays[i], largest_);
-      if (!takes_ || !probe) {
+      const auto segment = segment_of(rays[i], largest_, Precision::binary64);
+      if (!takes_ || !segment) {
         answers[i] = {.outcome = Outcome::fault};
         continue;
       }
-      const double from[] = {probe->from.x, probe->from.y, probe->from.z},
-                   to[] = {probe->to.x, probe->to.y, probe->to.z};
+      const double from[] = {segment->from.x, segment->from.y, segment->from.z},
+                   to[] = {segment->to.x, segment->to.y, segment->to.z};
       answers[i] = nearest(from, to);
     }
   }
 
-  double largest_ = 0;
+  double largest_;
   bool takes_ = true;
 };
 

@@ -1,7 +1,7 @@
 // VTK (libvtk9-dev): vtkTriangle::IntersectWithLine, and the same method of three locators, which search a mesh of
 // the bag's triangles. Half a gigabyte to install, so built only with the option PLUMBLINE_VTK.
 //
-// A query is a segment; segment_probe.h says which. Of a cell the documentation says that t lies between 0 and 1 and
+// A query is a segment; segment.h says which. Of a cell the documentation says that t lies between 0 and 1 and
 // that the test of the triangle "is performed using tol as the tolerance"; of edges, the segment's ends, segments in
 // the plane and triangles without area it says nothing: all unspecified. The tolerance is a length, 0 unless the name
 // says otherwise. A coordinate that is not finite, or a ray without a segment, is Outcome::fault. VTK's warnings are

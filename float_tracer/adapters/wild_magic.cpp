@@ -3,6 +3,7 @@
 #include <libwildmagic/Wm5IntrRay3Triangle3.h>
 
 #include "float_tracer/adapters/prepared_triangles.h"
+#include "float_tracer/adapters/segment.h"
 
 namespace plumbline {
 namespace {
@@ -19,7 +20,7 @@ Vec3 from_wild_magic(const Wm5::Vector3<Real>& v) {
 
 // Of unit length, as nearly as rounding lets. Scaled first: nothing over- or underflows on the way.
 std::optional<Vec3> unit(const Vec3& v) {
-  const double largest = largest_of(v);
+  const double largest = largest_component(v);
   if (!is_finite(v) || is_zero(largest)) return std::nullopt;
   const int down = -std::ilogb(largest);
   const double x = std::scalbn(v.x, down), y = std::scalbn(v.y, down), z = std::scalbn(v.z, down);

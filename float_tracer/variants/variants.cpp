@@ -66,9 +66,9 @@ std::vector<std::unique_ptr<Tracer>> kernel_variants() {
     });
   };
   if (__builtin_cpu_supports("fma"))
-    add_all("_fma", "contracted to fused multiply-adds", prepare_with_fma);
-  add_all("_fast_math", "compiled with -ffast-math", prepare_with_fast_math);
-  add_all("_ftz_daz", "with subnormals flushed to zero", prepare_flushed);
+    add_all(fma_suffix, "contracted to fused multiply-adds", prepare_with_fma);
+  add_all(fast_math_suffix, "compiled with -ffast-math", prepare_with_fast_math);
+  add_all(ftz_daz_suffix, "with subnormals flushed to zero", prepare_flushed);
   return list;
 }
 

@@ -12,6 +12,8 @@
 
 namespace plumbline {
 
+inline constexpr const char *fma_suffix = "_fma", *fast_math_suffix = "_fast_math", *ftz_daz_suffix = "_ftz_daz";
+
 std::vector<std::unique_ptr<Tracer>> kernel_variants();
 
 /// The kernel of that index in for_each_kernel, compiled as the file's name says. Private to variants/.

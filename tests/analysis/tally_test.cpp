@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "oracle/classify.h"
 
 namespace plumbline {
@@ -51,6 +53,21 @@ TEST(Tally, BalancesWithoutUnspecifiedAndFaults) {
                                 : VerdictKind::false_miss);
         EXPECT_EQ(t.attempts - t.successes + 2 * t.lucky(), t.harness_errors() + t.false_misses + t.false_hits);
         EXPECT_EQ(t.unlucky_harness_errors, t.harness_errors() - t.lucky());
+      }
+}
+
+TEST(Tally, IsPutOutByOneAtMostByARayWithoutVerdict) {
+  for (const Wish wish : {Wish::hit, Wish::miss})
+    for (const std::optional<bool> truth : {std::optional<bool>(), std::optional(false), std::optional(true)})
+      for (const auto& [outcome, verdict] : {std::pair(Outcome::hit, VerdictKind::unspecified),
+                                             {Outcome::miss, VerdictKind::unspecified},
+                                             {Outcome::hit, VerdictKind::correct},  // the slack of its contract
+                                             {Outcome::fault, VerdictKind::fault}}) {
+        Tally t;
+        count(t, wish, truth, outcome, verdict);
+        const auto failures = static_cast<int>(t.attempts - t.successes);
+        const auto harness = static_cast<int>(t.harness_errors());
+        EXPECT_LE(std::abs(failures - harness), static_cast<int>(t.unspecified + t.faults));
       }
 }
 

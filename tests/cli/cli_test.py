@@ -4,6 +4,7 @@ PLUMBLINE names the program under test, PLUMBLINE_CORPUS the folder corpus/."""
 import json
 import os
 import pathlib
+import re
 import signal
 import struct
 import subprocess
@@ -224,6 +225,15 @@ class Replay(CliTest):
             self.assertEqual((result.returncode, result.stdout), (0, ""))
             self.assertRegex(result.stderr, r"\A\d+ cases in \d+ files, .* 0 not as the files say, \d+ known findings")
 
+    def test_corpus_and_every_tracer(self):
+        """The files list what each gets wrong, but for the large libraries, which few builds have; and kernels that
+        hang on what the compiler contracts and reassociates are listed as clang 19 builds them."""
+        result = run("replay", CORPUS, "--tracer", "all")
+        apart = r": (vtk_\w+|brlcad_librt|\w+_fma|\w+_fast_math): "
+        unlisted = [line for line in result.stdout.splitlines() if not re.search(apart, line)]
+        self.assertEqual(unlisted, [])
+        self.assertNotIn("unknown to this build", result.stderr)
+
     def test_agreement(self):
         result = self.replay(self.CASE + "expect interior hit t 1 u 0.25 v 0.25\n")
         self.assertEqual((result.returncode, result.stdout), (0, ""))
@@ -331,8 +341,9 @@ class Tracers(CliTest):
             self.assertIs(type(tracer["own_queries"]), bool)
             self.assertEqual(len(tracer), len(exact))
         for tracer in absent:
-            self.assertIn("cmake/install-dependencies tracers", tracer["summary"])
-            self.assert_trouble(run("trace", "--tracer", tracer["tracer"], "-"), "it needs " + tracer["package"])
+            needs = re.fullmatch("absent: needs (.+)", tracer["summary"]).group(1)
+            self.assertRegex(needs, r"\Acmake/install-dependencies (tracers|vtk)|BRLCAD_ROOT|processor")
+            self.assert_trouble(run("trace", "--tracer", tracer["tracer"], "-"), "it needs " + needs)
         rows = run("tracers").stdout.splitlines()[2:]
         self.assertEqual([row.split()[0] for row in rows], [tracer["tracer"] for tracer in tracers])
 

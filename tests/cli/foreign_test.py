@@ -117,7 +117,7 @@ class SharedLibrary(ForeignTest):
 
         text = (self.folder / "my_tracer.c").read_text()
         for old, new, *parts in [
-            (".version = PLUMBLINE_TRACER_VERSION", ".version = 99", "version 99", "version 1; compile"),
+            (".version = PLUMBLINE_TRACER_VERSION", ".version = 99", "version 99", "version 2; compile"),
             (".trace_f64 = trace", ".trace_f64 = 0", "'trace_f64' is NULL; fill it in"),
             ("into->precision = 64", "(void)into", "precision to 0; set 32 or 64"),
             ('"my_tracer"', '"exact"', "calls itself 'exact', as another tracer here does; give it"),
@@ -134,8 +134,54 @@ class SharedLibrary(ForeignTest):
         self.build(source="liar.c", library="liar.so")
         answer = self.plumbline(
             "trace", "--tracer", "./liar.so", "-", text=QUESTION,
-            error="warning: ./liar.so: trace() answered 2 of 1 rays; all 1 are faults\n")
+            error="my_tracer: trace() answered 2 of 1 rays; all 1 are faults\n")
         self.assertTrue(json.loads(answer)["fault"])
+
+    def test_one_that_dies_loses_its_own_answers_only(self):
+        """By every verb that asks: what it dies of is a fault, told once at the end; all else is as before."""
+        self.build()
+        text = (self.folder / "my_tracer.c").read_text()
+        harmless = "if (slope == 0) return 0;"
+        self.assertIn(harmless, text)
+        (self.folder / "mortal.c").write_text(
+            text.replace(harmless, harmless + "\n  if (ray->origin[0] == 0.375) abort();"))
+        self.build(source="mortal.c", library="mortal.so")
+        lines = "".join(QUESTION.replace("0.25,0.5,2", f"{x},0.5,2") for x in (0.25, 0.375, 0.5, 0.375, 2))
+        told = "my_tracer: died of 2 rays (SIGABRT); these are faults\n"
+        answers = self.plumbline("trace", "--tracer", "./mortal.so", "-", text=lines, error=told)
+        self.assertEqual([json.loads(line)["hit"] for line in answers.splitlines()], [True, None, True, None, False])
+        cases = "".join(f"case x{i}\ntriangle 0 0 0  1 0 0  0 1 0\nray {x} 0.5 2  0 0 -1\n\n"
+                        for i, x in enumerate((0.25, 0.375, 0.5, 0.375, 2)))
+        (self.folder / "x.case").write_text(cases)
+        replayed = run("replay", "x.case", "--tracer", "./mortal.so", cwd=self.folder)
+        self.assertEqual((replayed.returncode, replayed.stdout), (0, ""))
+        self.assertIn("5 answers: 0 not as the files say, 0 known findings, 2 faults", replayed.stderr)
+        self.assertIn(told, replayed.stderr)
+        explained = run("explain", "--triangle", *"000100010", "--ray", "0.375", *"01001", "--tracer", "./mortal.so",
+                        cwd=self.folder)
+        self.assertIn("died of 1 ray (SIGABRT)", explained.stderr)
+
+        swept = ("sweep", "--json", "--count", "20", "--tracer")
+        mortal = "\n  if (ray->origin[2] > 0 && ray->direction[0] > 0) abort();"
+        (self.folder / "mortal.c").write_text(text.replace(harmless, harmless + mortal))
+        self.build(source="mortal.c", library="mortal.so")
+        rows = {}
+        for library, error in (("./libmine.so", ""), ("./mortal.so", None)):
+            printed = self.plumbline(*swept, library, error=error)
+            rows[library] = [json.loads(line) for line in printed.splitlines()]
+        faults = [row["faults"] for row in rows["./mortal.so"]]
+        self.assertGreater(sum(faults), 0)
+        self.assertLess(sum(faults), sum(row["attempts"] for row in rows["./mortal.so"]))
+        self.assertIn(f"my_tracer: died of {sum(faults)} rays (SIGABRT)",
+                      run(*swept, "./mortal.so", cwd=self.folder).stderr)
+        for whole, mortal_row in zip(rows["./libmine.so"], rows["./mortal.so"]):
+            lost = whole["successes"] - mortal_row["successes"]
+            self.assertTrue(0 <= lost <= mortal_row["faults"], (whole, mortal_row))
+
+        compared = run("compare", "./mortal.so", "exact", "--inputs", "binary64", "--family", "random", "--count", 50,
+                       cwd=self.folder)
+        self.assertEqual(compared.returncode, 0, compared.stderr)
+        self.assertRegex(compared.stderr, r"my_tracer: died of [0-9]+ rays \(SIGABRT\)")
 
 
 class Program(ForeignTest):
@@ -182,6 +228,39 @@ for line in sys.stdin:
                       result.stderr)
         self.assertEqual(self.trace(self.program(), [0.1]), ([True], ""))
         self.assertEqual(self.trace(self.program('assert case.get("precision") is None'), [0.1]), ([True], ""))
+
+    def test_it_is_judged_by_its_contract(self):
+        """Edges are missed and what is a hair outside is hit: wrong by default, right by what it says of itself."""
+        tracer = self.program('out = out.replace("true", "false") if x == 0 else out; '
+                              'out = out.replace("false", "true") if x == -0.125 else out')
+        cases = self.cases([0, 0.25, -0.125])
+        for contract, *told in [
+            ("", "x0: NAME: new false-miss", "x2: NAME: new false-hit"),
+            ("[edges=open]", "x2: NAME: new false-hit"),
+            ("[edges=unspecified,slack_absolute=0.125]",),
+            ("[slack_relative=0.01]", "x0: NAME: new false-miss", "x2: NAME: new false-hit"),
+        ]:
+            with self.subTest(contract):
+                name = tracer.replace("pipe:", f"pipe{contract}:")
+                result = run("replay", cases, "--tracer", name)
+                self.assertEqual(result.returncode, 1 if told else 0, result.stderr)
+                self.assertEqual(result.stdout.count("new "), len(told))
+                for part in told:
+                    self.assertIn(part.replace("NAME", name), result.stdout)
+        answers = run("trace", "-", "--merged", "--tracer", tracer, text=QUESTION.replace("0.25,0.5", "0,0.5")).stdout
+        for contract, verdict in [("", "false-miss"), ("[edges=open]", "correct"),
+                                  ("[edges=one_owner]", "unspecified")]:
+            judged = run("judge", "-", "--tracer", tracer.replace("pipe:", f"pipe{contract}:"), text=answers)
+            self.assertEqual(json.loads(judged.stdout)["verdict"], verdict, judged.stderr)
+
+    def test_a_contract_that_cant_be_read(self):
+        for name, *parts in [
+            ("pipe[edges=opn]:cat", "pipe[edges=opn]:cat: edges can't be 'opn'; did you mean 'open'?"),
+            ("pipe32[edge=open]:cat", "a contract has no 'edge'; did you mean 'edges'?"),
+            ("pipe[edges=open:cat", "no ']:' behind the '['"),
+            ("pipe[edges=open]:", "no command"),
+        ]:
+            self.assert_trouble(run("trace", "-", "--tracer", name), *parts)
 
     def test_binary32(self):
         tracer = self.program('assert case["precision"] == "binary32" and (n < 0 or x == 0.10000000149011612)')

@@ -23,10 +23,9 @@ TEST(Gts, GivesTAndTheNearestTriangle) {
     ASSERT_EQ(answer.outcome, Outcome::hit);
     EXPECT_TRUE(answer.has_t && !answer.has_uv && !answer.has_segment);
     EXPECT_EQ(answer.triangle, swapped ? 1u : 0u);
-    // It is asked for the segment to z = 8 - 2 * 2^5, so that t = 4 / 32.
-    EXPECT_EQ(answer.t, 0.125);
+    EXPECT_EQ(answer.t, 0.25);  // of the segment from z = 8 to -24
     EXPECT_EQ(tracer_named("gts_segment_f64").prepare(bag)->asked(down),
-              Query(Ray{.origin = down.origin, .direction = {0, 0, -64}, .t_min = 0, .t_max = 1}));
+              Query(Ray{.origin = down.origin, .direction = {0, 0, -32}, .t_min = 0, .t_max = 1}));
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "float_tracer/adapters/segment_probe.h"
+#include "float_tracer/adapters/segment.h"
 #include "tests/float_tracer/shoot.h"
 
 namespace plumbline {
@@ -27,7 +27,7 @@ TEST_P(GzMath, GivesTOfTheSegmentAndTheNearestTriangle) {
   EXPECT_TRUE(answer.has_t && !answer.has_uv && !answer.has_segment);
   EXPECT_EQ(answer.triangle, 1u);
   EXPECT_EQ(answer.t, 0.25);  // of the segment from z = 8 to -24
-  EXPECT_EQ(bag->asked(down), segment_probe<double>(down, 4)->query);
+  EXPECT_EQ(bag->asked(down), segment_of(down, 4, Precision::binary64)->query);
   EXPECT_EQ(bag->asked(down).ray.direction, (Vec3{0, 0, -32}));
 }
 

@@ -142,8 +142,8 @@ void trap(Answer&) { __builtin_trap(); }
 void leave(Answer&) { std::exit(0); }
 void leave_at_once(Answer&) { _exit(3); }
 void hang(Answer&) {
-  for (volatile int i = 0;; i = i + 1) {
-  }
+  volatile int i = 0;
+  for (;;) i = i + 1;
 }
 void sleep_for_ever(Answer&) {
   for (;;) pause();
@@ -509,13 +509,15 @@ TEST(Conduct, ComplainsInWholeSentences) {
             "x: died of 3 rays (SIGABRT); these are faults\nx: left the floating-point controls changed\n");
   EXPECT_EQ(complaints("x", {.deaths = {{"SIGABRT", 2}, {"exit code 0", 1}}}),
             "x: died of 3 rays (SIGABRT: 2, exit code 0: 1); these are faults\n");
+  EXPECT_EQ(complaints("x", {.breaches = {{"lies", 1}, {"steals", 3}}}), "x: lies\nx: steals (3 times)\n");
 }
 
 TEST(Conduct, AddsUp) {
-  Conduct sum{.deaths = {{"SIGABRT", 1}}};
-  sum += {.disturbed = true, .deaths = {{"SIGABRT", 2}, {"SIGFPE", 4}}};
+  Conduct sum{.deaths = {{"SIGABRT", 1}}, .breaches = {{"lies", 1}}};
+  sum += {.disturbed = true, .deaths = {{"SIGABRT", 2}, {"SIGFPE", 4}}, .breaches = {{"lies", 2}}};
   sum += {};
-  EXPECT_EQ(sum, (Conduct{.disturbed = true, .deaths = {{"SIGABRT", 3}, {"SIGFPE", 4}}}));
+  EXPECT_EQ(sum, (Conduct{
+                     .disturbed = true, .deaths = {{"SIGABRT", 3}, {"SIGFPE", 4}}, .breaches = {{"lies", 3}}}));
 }
 
 }  // namespace

@@ -1,9 +1,10 @@
+// Libraries that keep to plumbline_tracer.h, and one for each way not to: whatever one does, nothing else is lost.
 #include "float_tracer/plugin.h"
 
 #include <gmock/gmock.h>
 
 #include <array>
-#include <cfenv>
+#include <cmath>
 #include <fstream>
 #include <thread>
 
@@ -29,23 +30,42 @@ std::string refusal(const std::string& name) {
 // What three rays get, and what is told of them.
 struct Told {
   std::array<Answer, 3> answers;
-  std::string complaint;
+  std::string complaints;
 };
 Told three_rays(const std::string& name) {
   Told told;
-  testing::internal::CaptureStderr();
-  {
-    const auto tracer = load(name);
-    const std::array rays = {down, down, down};
-    tracer->prepare({.triangles = {unit}})->trace(rays, told.answers);
-  }
-  told.complaint = testing::internal::GetCapturedStderr();
+  const std::array rays = {down, down, down};
+  const auto bag = load(name)->prepare({.triangles = {unit}});
+  bag->trace(rays, told.answers);
+  told.complaints = complaints("it", bag->conduct());
   return told;
 }
 std::vector<Outcome> outcomes(const Told& told) {
   return {told.answers[0].outcome, told.answers[1].outcome, told.answers[2].outcome};
 }
 const std::vector all_faults(3, Outcome::fault);
+
+// The `deed` happens at the rays with t_max 7; where there is none, the answer is a hit at the origin's x.
+constexpr std::size_t many = 40;
+std::vector<Ray> rays_with(const std::vector<std::size_t>& deeds) {
+  std::vector<Ray> rays(many, down);
+  for (std::size_t i = 0; i < many; ++i) rays[i].origin.x = 0.125 * static_cast<double>(i);
+  for (const std::size_t i : deeds) rays[i].t_max = 7;
+  return rays;
+}
+// What is wrong with the answers but for those of `apart`, which are given to `check`.
+template <class Check>
+void expect_unharmed(std::span<const Answer> answers, const std::vector<std::size_t>& apart, Check check) {
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    if (std::ranges::count(apart, i) != 0) {
+      check(answers[i]);
+    } else {
+      EXPECT_EQ(answers[i].outcome, Outcome::hit) << i;
+      EXPECT_EQ(answers[i].t, 0.125 * static_cast<double>(i)) << i;
+    }
+  }
+}
+void expect_fault(const Answer& answer) { EXPECT_EQ(answer.outcome, Outcome::fault); }
 
 TEST(Plugin, IsToldByItsName) {
   for (const char* name : {"./libmine.so", "libmine.so", "../build/mine", "/lib/mine.so.3"})
@@ -57,7 +77,7 @@ TEST(Plugin, TheExampleHitsAndMisses) {
   const auto tracer = load("example");
   EXPECT_EQ(tracer->info().name, "my_tracer");
   EXPECT_EQ(tracer->info().contract.precision, Precision::binary64);
-  EXPECT_EQ(tracer->info().isolation, Isolation::none);
+  EXPECT_EQ(tracer->info().isolation, Isolation::process);
   EXPECT_FALSE(tracer->info().own_queries);
 
   const Answer hit = shoot(*tracer, {.triangles = {unit}}, down);
@@ -95,7 +115,7 @@ TEST(Plugin, WhatCantBeLoadedIsToldWithPlaceAndFix) {
   EXPECT_THAT(error_of([&] { load_plugin(text); }), HasSubstr("cannot be loaded: "));
   EXPECT_THAT(refusal("no_symbol"), HasSubstr("exports no function 'plumbline_tracer'; define it"));
   EXPECT_THAT(refusal("no_table"), HasSubstr("plumbline_tracer() returned NULL; return"));
-  EXPECT_THAT(refusal("version"), HasSubstr("version 7 of plumbline_tracer.h, and this program is of version 1"));
+  EXPECT_THAT(refusal("version"), HasSubstr("version 7 of plumbline_tracer.h, and this program is of version 2"));
   EXPECT_THAT(refusal("null_describe"), HasSubstr("'describe' is NULL; fill it in"));
   EXPECT_THAT(refusal("null_prepare"), HasSubstr("'prepare_f32' is NULL; fill it in, or set precision to 64"));
   EXPECT_THAT(refusal("null_trace"), HasSubstr("'trace_f32' is NULL"));
@@ -114,7 +134,7 @@ TEST(Plugin, ACountThatLiesMakesFaultsOfAll) {
         {"unset", "trace() left the outcome of answer 2 of 3 unset; all 3 are faults"}}) {
     const Told told = three_rays(name);
     EXPECT_EQ(outcomes(told), all_faults) << name;
-    EXPECT_EQ(told.complaint, "warning: " + path_of(name) + ": " + complaint + "\n");
+    EXPECT_EQ(told.complaints, std::string("it: ") + complaint + "\n");
   }
 }
 
@@ -123,16 +143,18 @@ TEST(Plugin, AnImpossibleAnswerIsAFaultAlone) {
                                         {"triangle", "trace() hit triangle 1 of 1 (they count from 0)"}}) {
     const Told told = three_rays(name);
     EXPECT_EQ(outcomes(told), (std::vector{Outcome::hit, Outcome::fault, Outcome::hit})) << name;
-    EXPECT_THAT(told.complaint, HasSubstr(complaint));
+    EXPECT_THAT(told.complaints, HasSubstr(complaint));
   }
 }
 
 TEST(Plugin, AnImpossibleQueryIsNotUsed) {
   const auto tracer = load("tail");
   EXPECT_TRUE(tracer->info().own_queries);
-  testing::internal::CaptureStderr();
-  EXPECT_EQ(tracer->prepare({.triangles = {unit}})->asked(down), Query(down));
-  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("direction_tail"));
+  const auto bag = tracer->prepare({.triangles = {unit}});
+  Answer answer;
+  bag->trace({&down, 1}, {&answer, 1});
+  EXPECT_EQ(bag->asked(down), Query(down));
+  EXPECT_THAT(complaints("it", bag->conduct()), HasSubstr("direction_tail"));
 }
 
 TEST(Plugin, ABagThatItCantTakeIsAFault) {
@@ -140,15 +162,93 @@ TEST(Plugin, ABagThatItCantTakeIsAFault) {
   EXPECT_EQ(shoot(*load("tame"), {.triangles = {unit}}, down).outcome, Outcome::hit);
 }
 
-TEST(Plugin, TheFloatingPointControlsArePutBack) {
-  const auto bag = load("controls");
-  const auto prepared = bag->prepare({.triangles = {unit}});
-  Answer answer;
-  prepared->trace({&down, 1}, {&answer, 1});
-  EXPECT_EQ(std::fegetround(), FE_TONEAREST);
-#if defined(__x86_64__)
-  EXPECT_TRUE(prepared->disturbed());
-#endif
+TEST(Plugin, ADeathIsOneFault) {
+  for (const auto& [deed, cause] : {std::pair("aborts", "SIGABRT"),
+                                    {"segfaults", "SIGSEGV"},
+                                    {"traps", "SIGFPE"},
+                                    {"ends", "exit code 0"}}) {
+    SCOPED_TRACE(deed);
+    const auto bag = load(deed)->prepare({.triangles = {unit}});
+    for (const std::vector<std::size_t>& at : {std::vector<std::size_t>{}, {0}, {17, 18, 39}}) {
+      std::vector<Answer> answers(many);
+      bag->trace(rays_with(at), answers);
+      expect_unharmed(answers, at, expect_fault);
+    }
+    EXPECT_EQ(bag->conduct(), (Conduct{.deaths = {{cause, 4}}}));
+  }
+}
+
+TEST(Plugin, AHangIsOneFault) {
+  const auto bag = load_plugin(path_of("hangs"), 0.5)->prepare({.triangles = {unit}});
+  std::vector<Answer> answers(many);
+  bag->trace(rays_with({17}), answers);
+  expect_unharmed(answers, {17}, expect_fault);
+  EXPECT_EQ(bag->conduct(), (Conduct{.deaths = {{"no answer within 500 ms", 1}}}));
+}
+
+TEST(Plugin, ADeathAtABagIsThatBagsFault) {
+  for (const auto& [deed, cause] :
+       {std::pair("aborts_bag", "SIGABRT"), {"hangs_bag", "no answer within 500 ms"}}) {
+    SCOPED_TRACE(deed);
+    const auto tracer = load_plugin(path_of(deed), 0.5);
+    const auto fatal = tracer->prepare({.triangles = {unit, above}});
+    const auto harmless = tracer->prepare({.triangles = {unit}});
+    std::vector<Answer> answers(many);
+    fatal->trace(rays_with({}), answers);
+    for (const Answer& answer : answers) expect_fault(answer);
+    EXPECT_EQ(fatal->conduct(), (Conduct{.deaths = {{cause, many}}}));
+    harmless->trace(rays_with({}), answers);
+    expect_unharmed(answers, {}, expect_fault);
+    EXPECT_EQ(harmless->conduct(), Conduct{});
+  }
+}
+
+TEST(Plugin, ADeathInLoadingIsToldAsWhatIsWrongWithTheFile) {
+  EXPECT_THAT(refusal("aborts_loading"),
+              AllOf(HasSubstr(path_of("aborts_loading") + ": "), HasSubstr("describe itself: SIGABRT; load it in")));
+  EXPECT_THAT(error_of([] { load_plugin(path_of("hangs_loading"), 0.5); }), HasSubstr("no answer within 500 ms"));
+}
+
+TEST(Plugin, OutputOfAnyLengthGoesNowhere) {
+  for (const char* name : {"floods", "floods_bag", "floods_loading"}) {
+    SCOPED_TRACE(name);
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const auto bag = load(name)->prepare({.triangles = {unit, above}});
+    std::vector<Answer> answers(many);
+    bag->trace(rays_with({17}), answers);
+    expect_unharmed(answers, {}, expect_fault);
+    EXPECT_EQ(bag->conduct(), Conduct{});
+    EXPECT_EQ(testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr(), "");
+  }
+}
+
+TEST(Plugin, ANaNIsItsOwnAnswer) {
+  const auto bag = load("answers_nan")->prepare({.triangles = {unit}});
+  std::vector<Answer> answers(many);
+  bag->trace(rays_with({17}), answers);
+  expect_unharmed(answers, {17}, [](const Answer& answer) {
+    EXPECT_EQ(answer.outcome, Outcome::hit);
+    EXPECT_TRUE(std::isnan(answer.t));
+  });
+}
+
+TEST(Plugin, ChangedControlsAreTold) {
+  for (const char* name : {"rounds_upward", "rounds_upward_bag"}) {
+    const auto tracer = load(name);
+    const auto bag = tracer->prepare({.triangles = {unit, above}}), other = tracer->prepare({.triangles = {unit}});
+    std::vector<Answer> answers(many);
+    bag->trace(rays_with({17}), answers);
+    expect_unharmed(answers, {}, expect_fault);
+    EXPECT_EQ(bag->conduct(), Conduct{.disturbed = true}) << name;
+    other->trace(rays_with({}), answers);
+    EXPECT_EQ(other->conduct(), Conduct{}) << name;
+  }
+  // Put back at once: it is how libraries that were linked with -ffast-math load.
+  const auto bag = load("rounds_upward_loading")->prepare({.triangles = {unit}});
+  std::vector<Answer> answers(many);
+  bag->trace(rays_with({}), answers);
+  EXPECT_EQ(bag->conduct(), Conduct{});
 }
 
 TEST(Plugin, SeveralThreadsMayAsk) {
@@ -163,15 +263,20 @@ TEST(Plugin, SeveralThreadsMayAsk) {
   EXPECT_EQ(hits, (std::array{200, 200, 200, 200}));
 }
 
-TEST(Plugin, ManyComplaintsAreCounted) {
-  testing::internal::CaptureStderr();
-  {
-    const auto tracer = load("fewer");
-    for (int i = 0; i < 25; ++i) shoot(*tracer, {.triangles = {unit}}, down);
-  }
-  const std::string told = testing::internal::GetCapturedStderr();
-  EXPECT_EQ(std::ranges::count(told, '\n'), 11);
-  EXPECT_THAT(told, testing::EndsWith(": 15 more of these\n"));
+TEST(Plugin, BreachesAreCounted) {
+  const auto bag = load("fewer")->prepare({.triangles = {unit}});
+  std::vector<Answer> answers(20);
+  const auto trace = [&](std::size_t n) {
+    bag->trace(std::vector(n, down), std::span(answers).first(n));
+  };
+  for (int i = 0; i < 25; ++i) trace(3);
+  trace(2);
+  EXPECT_EQ(complaints("it", bag->conduct()),
+            "it: trace() answered 1 of 2 rays; all 2 are faults\n"
+            "it: trace() answered 2 of 3 rays; all 3 are faults (25 times)\n");
+  for (std::size_t n = 1; n <= 20; ++n) trace(n);  // no end of sentences
+  EXPECT_EQ(bag->conduct().breaches.size(), 13u);
+  EXPECT_EQ(bag->conduct().breaches.at("broke plumbline_tracer.h in further ways"), 8u);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A ray as a segment: how far it reaches, what is rounded, when there is none.
+// A ray as a segment: how far it reaches, what is rounded, what is asked, when there is none.
 #include "float_tracer/adapters/segment.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +15,12 @@ TEST(Segment, TheLargestCoordinateIsThatOfAnyVertex) {
       Triangle triangle{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}};
       *coordinates(triangle)[i] = 7 * sign;
       EXPECT_EQ(largest_coordinate({.triangles = {{{0, 0, 4}, {0, 0, 0}, {0, 0, 0}}, triangle}}), 7) << i;
+      for (const double spoilt : {not_a_number, infinity}) {
+        *coordinates(triangle)[i] = 2;
+        *coordinates(triangle)[(i + 4) % 9] = spoilt;
+        EXPECT_EQ(largest_coordinate({.triangles = {triangle}}), spoilt == infinity ? infinity : 3) << i;
+        *coordinates(triangle)[(i + 4) % 9] = 3;
+      }
     }
 }
 
@@ -56,15 +62,48 @@ TEST(Segment, RoundsItsEndsToThePrecision) {
   const Ray ray{.origin = {1, 0, 0}, .direction = {0x1p-30, 0, -1}, .t_max = 1};
   EXPECT_EQ(segment_of(ray, 1, Precision::binary32)->to, (Vec3{1, 0, -1}));
   EXPECT_EQ(segment_of(ray, 1, Precision::binary64)->to, (Vec3{0x1.00000004p+0, 0, -1}));
+}
+
+TEST(Segment, TheQueryIsTheLineThroughTheRoundedEnds) {
+  const auto query = [](const Ray& ray) { return segment_of(ray, 1, Precision::binary64)->query; };
+  EXPECT_EQ(query({.origin = {1, 2, 3}, .direction = {2, 0, -4}, .t_min = 0.5, .t_max = 2}),
+            Query(Ray{.origin = {2, 2, 1}, .direction = {3, 0, -6}, .t_min = 0, .t_max = 1}));
+  EXPECT_EQ(query({.origin = {1, 0, 0}, .direction = {0x1p-60, 0, 1}, .t_max = 1}),
+            Query(Ray{.origin = {1, 0, 0}, .direction = {0, 0, 1}, .t_min = 0, .t_max = 1}));
+  const Query with_tail = query({.origin = {0x1p-60, 0, 0}, .direction = {1, 0, 1}, .t_max = 1});  // to {1, 0, 1}
+  EXPECT_EQ(with_tail.ray.direction, (Vec3{1, 0, 1}));
+  EXPECT_EQ(with_tail.direction_tail, (Vec3{-0x1p-60, 0, 0}));
+}
+
+TEST(Segment, ThereIsNoneWithoutTwoPoints) {
+  const Ray good{.origin = {1, 2, 8}, .direction = {0, 0, -2}};
+  for (const double bad : {not_a_number, infinity, -infinity})
+    for (std::size_t i = 0; i < 6; ++i) {
+      Ray ray = good;
+      *coordinates(ray)[i] = bad;
+      EXPECT_FALSE(segment_of(ray, 4, Precision::binary64)) << "ray coordinate " << i << " = " << bad;
+    }
+  const auto with_range = [&](double t_min, double t_max) {
+    Ray ray = good;
+    ray.t_min = t_min, ray.t_max = t_max;
+    return segment_of(ray, 4, Precision::binary64).has_value();
+  };
+  EXPECT_TRUE(with_range(-infinity, infinity));
+  EXPECT_FALSE(with_range(not_a_number, 1));
+  EXPECT_FALSE(with_range(0, not_a_number));
+  EXPECT_FALSE(with_range(1, 0));
+  EXPECT_FALSE(with_range(1, 1));
+  EXPECT_FALSE(with_range(infinity, infinity));
+  EXPECT_FALSE(with_range(0, 0x1p-60));    // rounded to one point
+  EXPECT_FALSE(with_range(0, 0x1p+1023));  // a product overflows
+  EXPECT_FALSE(segment_of({.origin = {1, 2, 8}, .direction = {}}, 4, Precision::binary64));
+  EXPECT_FALSE(segment_of(good, 0x1p+1022, Precision::binary64));  // the reach overflows
+  EXPECT_FALSE(segment_of(good, infinity, Precision::binary64));
   const Ray far{.origin = {1, 0, 0}, .direction = {0, 0, -0x1p+127}, .t_max = 2};
   EXPECT_FALSE(segment_of(far, 1, Precision::binary32));
   EXPECT_TRUE(segment_of(far, 1, Precision::binary64));
-}
-
-TEST(Segment, WithoutOneTheRayItselfIsAsked) {
-  const Ray ray{.origin = {1, 2, 8}, .direction = {0, 0, 0}};
-  EXPECT_EQ(asked_by(std::nullopt, ray), Query(ray));
-  EXPECT_EQ(asked_by(Segment{{1, 0, 0}, {3, 0, 0x1p-3}}, ray), Query(Ray{{1, 0, 0}, {2, 0, 0x1p-3}, 0, 1}));
+  const Ray wide{.origin = {}, .direction = {0x1.8p+1023, 1, 0}, .t_min = -1, .t_max = 1};
+  EXPECT_FALSE(segment_of(wide, 1, Precision::binary64));  // the ends are there, their difference overflows
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "float_tracer/adapters/segment_probe.h"
+#include "float_tracer/adapters/segment.h"
 #include "tests/float_tracer/shoot.h"
 
 namespace plumbline {
@@ -32,7 +32,7 @@ TEST_P(Vtk, GivesTOfTheSegmentUVAndTheNearestTriangle) {
   EXPECT_NEAR(answer.t, 0.25, 0x1p-40);  // of the segment from z = 8 to -24
   EXPECT_NEAR(answer.u, 0.25, 0x1p-40);
   EXPECT_NEAR(answer.v, 0.5, 0x1p-40);
-  EXPECT_EQ(bag->asked(down), segment_probe<double>(down, 4)->query);
+  EXPECT_EQ(bag->asked(down), segment_of(down, 4, Precision::binary64)->query);
   EXPECT_EQ(bag->asked(down).ray.direction, (Vec3{0, 0, -32}));
 }
 

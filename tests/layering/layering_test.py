@@ -28,7 +28,8 @@ ONLY_IN = {
     r"simdjson\.h": {"case"},
     r"nlohmann/.*": {"fuzz"},
     r"CLI/.*": {"cli", "fuzz"},
-    r"CGAL/.*": {"float_tracer/adapters", "analysis/bench/rivals"},
+    r"CGAL/AABB_.*": {"float_tracer/gpl"},
+    r"CGAL/.*": {"float_tracer/adapters", "float_tracer/gpl", "analysis/bench/rivals"},
     r"boost/.*": {"analysis/bench/rivals"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
@@ -69,6 +70,7 @@ class Layering(unittest.TestCase):
         self.assertTrue(violations("float_tracer", '  #  include "oracle/truth.h"\n'))
         self.assertTrue(violations("case", "#include <gmpxx.h>\n"))
         self.assertTrue(violations("analysis/bench", "#include <CGAL/Gmpq.h>\n"))
+        self.assertTrue(violations("float_tracer/adapters", "#include <CGAL/AABB_tree.h>\n"))
         self.assertFalse(violations("analysis/bench/rivals", "#include <CGAL/Gmpq.h>\n"))
         self.assertFalse(violations("analysis", '#include "oracle/truth.h"\n#include <vector>\n'))
 

@@ -1,14 +1,45 @@
 // Shared libraries that don't keep to plumbline_tracer.h, each in one way: HOSTILE_... says in which. Without any it
-// is a tracer that hits everything at t = 1.
+// is a tracer that hits everything, at the t of the ray's origin's x. With HOSTILE_DEED, what that names happens at a
+// ray with t_max 7; with HOSTILE_BAG at a bag of two triangles too, with HOSTILE_LOADING as soon as it is loaded.
+#include <fenv.h>
+#include <math.h>
+#include <signal.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <stdlib.h>
-#if defined(__x86_64__)
-#include <xmmintrin.h>
-#endif
 
 #include "float_tracer/plumbline_tracer.h"
 
+#ifdef HOSTILE_DEED
+static void aborts(plumbline_answer* answer) { (void)answer, abort(); }
+static void segfaults(plumbline_answer* answer) {
+  volatile int* volatile nowhere = NULL;
+  (void)answer;
+  *nowhere = 1;
+}
+static void traps(plumbline_answer* answer) { (void)answer, raise(SIGFPE); }
+static void ends(plumbline_answer* answer) { (void)answer, exit(0); }
+static void hangs(plumbline_answer* answer) {
+  (void)answer;
+  volatile int i = 0;
+  for (;;) i = i ^ 1;
+}
+static void floods(plumbline_answer* answer) {
+  (void)answer;
+  for (int i = 0; i < 200000; ++i) {
+    puts("a flood of output");
+    fputs("a flood of errors\n", stderr);
+  }
+  fflush(stdout);
+}
+static void answers_nan(plumbline_answer* answer) { answer->t = NAN; }
+static void rounds_upward(plumbline_answer* answer) { (void)answer, fesetround(FE_UPWARD); }
+#endif
+
 static void describe(plumbline_description* into) {
+#if defined(HOSTILE_DEED) && defined(HOSTILE_LOADING)
+  HOSTILE_DEED(NULL);
+#endif
   into->name = "hostile";
   into->precision = 32;
 #ifdef HOSTILE_PRECISION
@@ -27,12 +58,16 @@ static void describe(plumbline_description* into) {
 
 static void* prepare(const float* vertices, size_t triangles) {
   (void)vertices;
+#if defined(HOSTILE_DEED) && defined(HOSTILE_BAG)
+  if (triangles == 2) HOSTILE_DEED(NULL);
+#endif
   return triangles == 0 ? NULL : malloc(1);
 }
 
 static size_t trace(void* bag, const plumbline_ray_f32* rays, size_t count, plumbline_answer* answers) {
+  const size_t last = count - 1;
   size_t answered = count;
-  (void)bag, (void)rays;
+  (void)bag;
 #ifdef HOSTILE_FEWER
   answered = count - 1;
 #endif
@@ -43,12 +78,16 @@ static size_t trace(void* bag, const plumbline_ray_f32* rays, size_t count, plum
   ++count;
 #endif
   for (size_t i = 0; i < count; ++i) {
+    const plumbline_ray_f32* const ray = &rays[i < last ? i : last];
 #ifdef HOSTILE_UNSET
     if (i == 1) continue;
 #endif
     answers[i].outcome = PLUMBLINE_HIT;
     answers[i].has_t = 1;
-    answers[i].t = 1;
+    answers[i].t = ray->origin[0];
+#ifdef HOSTILE_DEED
+    if (ray->t_max == 7) HOSTILE_DEED(&answers[i]);
+#endif
 #ifdef HOSTILE_OUTCOME
     if (i == 1) answers[i].outcome = 3;
 #endif
@@ -56,9 +95,6 @@ static size_t trace(void* bag, const plumbline_ray_f32* rays, size_t count, plum
     if (i == 1) answers[i].triangle = 1;
 #endif
   }
-#if defined(HOSTILE_CONTROLS) && defined(__x86_64__)
-  _MM_SET_ROUNDING_MODE(_MM_ROUND_UP);
-#endif
   return answered;
 }
 
