@@ -34,6 +34,7 @@ Examination Examiner::examine(const Triangle& triangle, const Ray& ray) {
   Examination e;
   bag->trace({&ray, 1}, {&e.answer, 1});
   e.out_of_range = std::fetestexcept(FE_OVERFLOW | FE_UNDERFLOW) != 0;
+  e.precision = contract.precision;
   e.triangle = triangle;
   const Query asked = bag->asked(ray);
   e.query = searched_ray(asked, contract);

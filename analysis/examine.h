@@ -12,6 +12,7 @@
 namespace plumbline {
 
 struct Examination {
+  Precision precision = Precision::binary64;
   Triangle triangle;
   Query query;  ///< what the tracer was really asked, in the range that its contract says is searched
   Answer answer;

@@ -13,13 +13,24 @@ bool finite_numbers(const Answer& answer) {
   return (!answer.has_t || is_finite(answer.t)) && (!answer.has_uv || (is_finite(answer.u) && is_finite(answer.v)));
 }
 
+double displaced_by(const Examination& e) { return std::max(e.displacement, e.residual); }
+
+// By more than 2^-10 of the longest edge, whose length in ulps is at most size * 2^digits.
+bool displaced(const Examination& e) {
+  if (!e.margins) return false;
+  const bool binary32 = e.precision == Precision::binary32;
+  return displaced_by(e) > e.margins->size * (binary32 ? 0x1p14 : 0x1p43);
+}
+
 std::optional<FindingKind> kind(const Examination& e) {
   if (e.died) return FindingKind::death;
   switch (e.verdict) {
     case VerdictKind::false_miss: return FindingKind::false_miss;
     case VerdictKind::false_hit: return FindingKind::false_hit;
     case VerdictKind::correct:
-      if (e.answer.outcome == Outcome::hit && !finite_numbers(e.answer)) return FindingKind::not_finite;
+      if (e.answer.outcome != Outcome::hit) return std::nullopt;
+      if (!finite_numbers(e.answer)) return FindingKind::not_finite;
+      if (displaced(e)) return FindingKind::displaced;
       return std::nullopt;
     case VerdictKind::unspecified:
     case VerdictKind::fault: break;
@@ -113,7 +124,12 @@ std::optional<Signature> signature(const Examination& e, Wish wish) {
   s.boundary = e.wrong() && on_boundary(e.truth);
   if (s.kind == FindingKind::false_hit) s.element = passed(e);
   if (s.kind == FindingKind::false_miss) s.element = nearest(e);
+  if (s.kind == FindingKind::displaced && e.residual > e.displacement) s.element = Element::plane;
   return s;
+}
+
+double finding_ulps(const Examination& e, const Signature& found) {
+  return found.kind == FindingKind::displaced ? displaced_by(e) : e.severity_ulps();
 }
 
 std::string to_word(const Signature& s) {

@@ -16,15 +16,17 @@ namespace plumbline {
 enum class FindingKind : unsigned char {
   false_miss,
   false_hit,
+  displaced,   ///< a hit that is one, with t, u or v of a point farther off than 2^-10 of the triangle's longest edge
   not_finite,  ///< a hit that is one, with a t, u or v that is NaN or infinite
   death,       ///< a tracer in a child died of it
 };
-inline constexpr std::array<std::string_view, 4> finding_kind_names = {"false-miss", "false-hit", "not-finite", "death"};
+inline constexpr std::array<std::string_view, 5> finding_kind_names = {"false-miss", "false-hit", "displaced",
+                                                                       "not-finite", "death"};
 constexpr std::string_view name(FindingKind k) { return finding_kind_names[static_cast<unsigned>(k)]; }
 
 /// What the answer has wrong. Of a false hit: the edge or, beyond two edges, the vertex that the line passes by; the
 /// end of the range that it would have to be beyond; or the plane that it runs beside. Of a false miss: the edge,
-/// vertex or end of the range that is nearest.
+/// vertex or end of the range that is nearest. Of what is displaced: the plane, if t is off by more than u and v.
 enum class Element : unsigned char { none, ab, bc, ca, a, b, c, plane, t_min, t_max };
 inline constexpr std::array<std::string_view, 10> element_names = {"none", "ab", "bc", "ca",    "a",
                                                                    "b",    "c",  "plane", "t_min", "t_max"};
@@ -46,12 +48,15 @@ struct Signature {
   bool lucky = false;        ///< the answer is what the author of the target wished
   friend bool operator==(const Signature&, const Signature&) = default;
 
-  /// Equal where the signatures are, below 2^18.
+  /// Equal where the signatures are, below 2^19.
   std::uint32_t key() const;
 };
 
-/// No value where there is nothing to find: a right answer with finite numbers.
+/// No value where there is nothing to find: a right answer with finite numbers that are near the exact ones.
 std::optional<Signature> signature(const Examination& examination, Wish wish = Wish::none);
+
+/// How bad a finding is, in ulps of the largest coordinate: of what is displaced by how much, else severity_ulps().
+double finding_ulps(const Examination& examination, const Signature& found);
 
 /// One word: "false-hit-bc-nominal-c1", "false-miss-ab-by-t-grazing-c3-lucky".
 std::string to_word(const Signature& signature);

@@ -49,20 +49,20 @@ void Campaign::examine(const FuzzInput& input, bool news) {
   if (news && !first_disagreement_ && features_.severity > 0) first_disagreement_ = executions_;
   if (features_.nominal) worst_nominal_ = std::max(worst_nominal_, features_.severity);
   if (plan_.search != Search::elites) return;
-  if (found) {
-    auto [at, is_new] = findings_.try_emplace(found->key());
-    if (is_new || features_.severity > at->second.ulps) {
-      at->second = {*found, features_.severity, news ? executions_ : 0, input};
-      auto [told, first] = told_.try_emplace(found->key(), features_.severity);
-      if (news && (first || features_.severity >= 2 * told->second) && (first || features_.severity > 0)) {
-        if (on_finding) on_finding(at->second);
-        told->second = features_.severity;
-      } else if (!news) {
-        told->second = std::max(told->second, features_.severity);
-      }
-    }
-  }
+  if (found) record(*found, input, news);
   if (elites_.offer(input, features_) != 0 && on_elites) on_elites(elites_);
+}
+
+void Campaign::record(const Signature& found, const FuzzInput& input, bool news) {
+  const double ulps = features_.found;
+  const auto [at, is_new] = findings_.try_emplace(found.key());
+  Finding& finding = at->second;
+  if (!is_new && !(ulps > finding.ulps)) return;
+  finding = {found, ulps, news ? executions_ : 0, input};
+  double& told = told_[found.key()];
+  if (news && !is_new && ulps < 2 * told) return;
+  told = std::max(told, ulps);
+  if (news && on_finding) on_finding(finding);
 }
 
 Wish wish_of(const FuzzInput& input) {

@@ -42,7 +42,7 @@ struct CampaignPlan {
 /// The worst case of one signature.
 struct Finding {
   Signature signature;
-  double ulps = 0;           ///< severity, in ulps of the largest coordinate; 0 where none is defined
+  double ulps = 0;           ///< finding_ulps; 0 where none is defined
   std::uint64_t execution = 0;  ///< at which it was found, from 1; 0: recalled
   FuzzInput input;
 };
@@ -79,6 +79,7 @@ class Campaign {
 
  private:
   void examine(const FuzzInput& input, bool news);
+  void record(const Signature& found, const FuzzInput& input, bool news);
 
   CampaignPlan plan_;
   Mutator mutator_;

@@ -17,7 +17,8 @@ Bytes bytes_of(const FuzzInput& input) {
 }  // namespace
 
 double score_in(Cell cell, const Features& features) {
-  return cell == worst_nominal_cell || (cell & signature_cell) != 0 ? features.severity : features.error;
+  if ((cell & signature_cell) != 0) return features.found;
+  return cell == worst_nominal_cell ? features.severity : features.error;
 }
 
 std::uint32_t& Elites::place(Cell cell) {

@@ -17,7 +17,7 @@ namespace plumbline {
 
 struct Elite {
   Cell cell = 0;
-  double score = 0;  ///< the error, or, in a cell of a signature and of the worst nominal severity, the severity
+  double score = 0;  ///< the error; in a cell of a signature its finding_ulps, in that of the worst nominal case the severity
   double drive = 0;  ///< the error where the case is nominal, else 0: what parents are chosen by
   FuzzInput input;
 };

@@ -59,7 +59,10 @@ class Collector {
 Features features(const Examination& e, const std::optional<Signature>& found, Wish wish) {
   Features f;
   Collector collect(f);
-  if (found) collect.add(signature_cell | found->key());
+  if (found) {
+    f.found = finding_ulps(e, *found);
+    collect.add(signature_cell | found->key());
+  }
   if (!e.margins) return f;
   const Margins& m = *e.margins;
   f.nominal = e.nominal();

@@ -18,7 +18,7 @@ using Cell = std::uint32_t;
 
 /// Cells of quantities are below this.
 inline constexpr Cell plain_cells = 1 << 14;
-/// Cells of signatures have this bit; the rest of theirs is Signature::key(). They are kept by severity alone.
+/// Cells of signatures have this bit; the rest of theirs is Signature::key(). They are kept by finding_ulps alone.
 inline constexpr Cell signature_cell = 1u << 31;
 /// Another one that is: the nominal case of greatest severity.
 inline constexpr Cell worst_nominal_cell = 13 * 1024;
@@ -27,6 +27,7 @@ struct Features {
   /// How large the error is, in ulps: the greatest of severity and displacement.
   double error = 0;
   double severity = 0;  ///< in ulps; 0 where the answer is not wrong
+  double found = 0;     ///< finding_ulps of what was found
   bool nominal = false;
   std::array<Cell, 16> cells;
   std::size_t size = 0;

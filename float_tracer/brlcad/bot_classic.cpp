@@ -34,7 +34,8 @@ struct Classic {
     return {.name = "brlcad_bot_classic",
             .summary = "BRL-CAD's BoT up to 7.40: ray walk with the 0.0005 mm entry nudge, then the triangle test",
             .source = std::string(source),
-            .contract = {.range = RangeRule::ray, .t_min = EndRule::unspecified}};
+            .contract = {.range = RangeRule::ray, .t_min = EndRule::unspecified},
+            .constants = {distance_tolerance, least_slope}};
   }
   template <class Why>
   static std::optional<Segment> shoot(const Solid& solid, const Vector& origin, const Vector& direction, Why why) {
@@ -49,7 +50,8 @@ struct ClassicKernel {
     return {.name = "brlcad_bot_classic_kernel",
             .summary = "the triangle test of brlcad_bot_classic alone, from the origin as given, on the whole line",
             .source = std::string(source),
-            .contract = {.range = RangeRule::line, .t_min = EndRule::unspecified}};
+            .contract = {.range = RangeRule::line, .t_min = EndRule::unspecified},
+            .constants = {distance_tolerance, least_slope}};
   }
   template <class Why>
   static std::optional<Segment> shoot(const Solid& solid, const Vector& origin, const Vector& direction, Why why) {

@@ -44,7 +44,8 @@ struct Hlbvh {
     return {.name = "brlcad_bot_hlbvh",
             .summary = "BRL-CAD's BoT since 7.42: the same ray walk, box test without a margin, another triangle test",
             .source = "BRL-CAD 7.42 to 7.44, librt, with the ray walk of 7.24.2",
-            .contract = {.range = RangeRule::ray, .t_min = EndRule::unspecified}};
+            .contract = {.range = RangeRule::ray, .t_min = EndRule::unspecified},
+            .constants = {distance_tolerance, least_slope}};
   }
   template <class Why>
   static std::optional<Segment> shoot(const Solid& solid, const Vector& origin, const Vector& direction, Why why) {
