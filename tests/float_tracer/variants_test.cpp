@@ -39,7 +39,10 @@ TEST(Variants, ContractionAndFastMathChangeAnswers) {
       if (has(name + "_fma")) {
         EXPECT_GT(differences(name, name + "_fma"), 0) << name;
       }
-      EXPECT_GT(differences(name, name + "_fast_math"), 0) << name;
+      // g++ 12 makes the same of Moller and Trumbore's test, whose sums and one reciprocal leave it little to change.
+      if (kernel != "moller_trumbore") {
+        EXPECT_GT(differences(name, name + "_fast_math"), 0) << name;
+      }
       EXPECT_EQ(differences(name, name + "_ftz_daz"), 0) << name;  // no subnormals here
     }
 }
