@@ -26,7 +26,7 @@ ONLY_IN = {
     r"vtk\w+\.h": {"float_tracer/adapters"},
     r"brlcad/.*": {"float_tracer/adapters"},
     r"simdjson\.h": {"case"},
-    r"nlohmann/.*": {"fuzz"},
+    r"nlohmann/.*": {"fuzz", "fuzz/bench"},
     r"CLI/.*": {"cli", "fuzz"},
     r"CGAL/AABB_.*": {"float_tracer/gpl"},
     r"CGAL/.*": {"float_tracer/adapters", "float_tracer/gpl", "analysis/bench/rivals"},
