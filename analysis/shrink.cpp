@@ -226,12 +226,14 @@ class Shrinker {
     for (int i = 0; i < 4000; ++i) any |= repaired([this](Numbers& n) { simplify_hard(n); });
     return any;
   }
-  // The same from numbers that have nothing to do with the case: small integers and powers of two.
+  // The same with many numbers, or all, that have nothing to do with the case: small integers and powers of two.
   bool anew() {
     bool any = false;
-    for (int i = 0; i < 8000; ++i)
+    for (int i = 0; i < 16000; ++i)
       any |= repaired([this](Numbers& n) {
-        for (std::size_t k = 0; k < n.coordinates; ++k) n[k] = plain_number();
+        const auto kept = random_.below(4);
+        for (std::size_t k = 0; k < n.coordinates; ++k)
+          if (random_.below(4) >= kept) n[k] = plain_number();
       });
     return any;
   }
