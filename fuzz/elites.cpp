@@ -61,16 +61,17 @@ const Elite* Elites::at(Cell cell) const {
   return it == others_.end() ? nullptr : &elites_[it->second];
 }
 
+std::uint64_t fingerprint(const Elite& elite) {  // FNV-1a
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  const auto add = [&hash](std::uint64_t byte) { hash = (hash ^ byte) * 0x100000001b3u; };
+  for (int k = 0; k < 4; ++k) add(elite.cell >> 8 * k & 0xff);
+  for (const std::byte b : bytes_of(elite.input)) add(static_cast<std::uint64_t>(b));
+  return hash;
+}
+
 std::uint64_t fingerprint(const Elites& elites) {
-  // FNV-1a of each elite, added up: the order doesn't count.
-  std::uint64_t sum = 0;
-  for (const Elite& elite : elites.all()) {
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    const auto add = [&hash](std::uint64_t byte) { hash = (hash ^ byte) * 0x100000001b3u; };
-    for (int k = 0; k < 4; ++k) add(elite.cell >> 8 * k & 0xff);
-    for (const std::byte b : bytes_of(elite.input)) add(static_cast<std::uint64_t>(b));
-    sum += hash;
-  }
+  std::uint64_t sum = 0;  // the order doesn't count
+  for (const Elite& elite : elites.all()) sum += fingerprint(elite);
   return sum;
 }
 

@@ -48,6 +48,8 @@ class Elites {
 /// The score of a case in a cell.
 double score_in(Cell cell, const Features& features);
 
+/// Of cell and input.
+std::uint64_t fingerprint(const Elite& elite);
 /// Of the contents: equal for equal archives, whatever the order in which they came about.
 std::uint64_t fingerprint(const Elites& elites);
 

@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string file_name(const Elite& elite) {
-  return fmt::format("{:08x}-{:016x}", elite.cell, std::bit_cast<std::uint64_t>(elite.score));
+  // Without the fingerprint, elites of equal scores would have one name.
+  return fmt::format("{:08x}-{:016x}-{:016x}", elite.cell, std::bit_cast<std::uint64_t>(elite.score), fingerprint(elite));
 }
 
 struct Hint {
@@ -27,7 +28,7 @@ struct Hint {
 };
 
 std::optional<Hint> hint_of(const std::string& name) {
-  if (name.size() != 25 || name[8] != '-') return std::nullopt;
+  if (name.size() != 42 || name[8] != '-' || name[25] != '-') return std::nullopt;
   Cell cell = 0;
   std::uint64_t bits = 0;
   const char* text = name.data();
@@ -91,6 +92,7 @@ std::size_t ElitesFolder::flush(const Elites& elites) {
 
 void ElitesFolder::scan(const Elites& elites, const FuzzInput& like, Domain domain,
                         const std::function<void(const FuzzInput&)>& take) {
+  const bool first = seen_.empty();  // names may be of a tracer that has changed since
   std::vector<std::string> names;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(path_, error)) {
@@ -101,7 +103,7 @@ void ElitesFolder::scan(const Elites& elites, const FuzzInput& like, Domain doma
   for (std::string& name : names) {
     const auto hint = hint_of(name);
     const Elite* const there = hint ? elites.at(hint->cell) : nullptr;
-    if (!there || hint->score >= there->score) {
+    if (first || !there || !(hint->score < there->score)) {
       const auto bytes = read_file(path_ / name, input_size(like.space, like.precision));
       if (!bytes.empty()) take(decode(bytes, like.space, like.precision, domain));
     }

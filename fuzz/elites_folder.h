@@ -1,7 +1,7 @@
 // An archive as a folder, shared by any number of processes: a file for each elite, its bytes a plain fuzzer input, named
-// CELL-SCORE in hex digits. Files are written under another name and renamed, so that none is ever half there. The score
-// in a name is a hint: it is computed again on reading. Any other file of the right size is an input as well, so that
-// a folder of seeds, or a corpus, can be searched on; the union of two folders is their merge.
+// CELL-SCORE-FINGERPRINT in hex digits. Files are written under another name and renamed, so that none is ever half
+// there. The score in a name is a hint: it is computed again on reading. Any other file of the right size is an input as
+// well, so that a folder of seeds, or a corpus, can be searched on; the union of two folders is their merge.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -23,7 +23,8 @@ class ElitesFolder {
   void note(const Elites& elites);
   /// Writes the elites noted. What can't be written (a full disk) stays noted; returns how many.
   std::size_t flush(const Elites& elites);
-  /// Calls `take` with the input of every file not seen yet that may be worse than what the archive has.
+  /// Calls `take` with the input of every file, the first time; then of every new one that may be worse than what the
+  /// archive has.
   void scan(const Elites& elites, const FuzzInput& like, Domain domain, const std::function<void(const FuzzInput&)>& take);
 
   const std::filesystem::path& path() const { return path_; }

@@ -83,7 +83,7 @@ std::uint64_t count_cells(const fs::path& folder) {
   std::set<std::string> cells;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
-    if (const std::string name = entry.path().filename(); name.size() == 25) cells.insert(name.substr(0, 8));
+    if (const std::string name = entry.path().filename(); name.size() == 42) cells.insert(name.substr(0, 8));
   return cells.size();
 }
 

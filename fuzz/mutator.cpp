@@ -159,7 +159,7 @@ class Changes {
     const auto axis = r_.below(4);
     const Vec3 shift = {axis % 3 == 0 ? by : 0, axis == 1 || axis == 3 ? by : 0, axis >= 2 ? by : 0};
     for (int i = 0; i < 3; ++i) vertex(i) = vertex(i) + shift;
-    x_.ray.origin = x_.ray.origin + shift;
+    if (plan_.space == Space::ray) x_.ray.origin = x_.ray.origin + shift;
   }
 
   // ---- the ray
