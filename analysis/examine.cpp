@@ -1,6 +1,7 @@
 #include "analysis/examine.h"
 
 #include <algorithm>
+#include <array>
 #include <cfenv>
 #include <cmath>
 #include <limits>
@@ -15,6 +16,15 @@ namespace {
 double off(double answered, double exact, double scale) {
   if (!is_finite(answered)) return std::numeric_limits<double>::infinity();
   return std::abs(answered - exact) * scale;
+}
+
+// Errors of t grow with t: where a range ends far away, they are no errors of a nominal case.
+bool ends_far(const Ray& ray, const Margins& m, Precision precision) {
+  const Vec3& d = ray.direction;
+  const double step = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+  const double largest = m.ulp * (precision == Precision::binary32 ? 0x1p24 : 0x1p53);
+  return std::ranges::any_of(std::array{ray.t_min, ray.t_max},
+                             [&](double t) { return is_finite(t) && std::abs(t) * step > largest; });
 }
 
 }  // namespace
@@ -43,6 +53,8 @@ Examination Examiner::examine(const Triangle& triangle, const Ray& ray) {
   e.truth = e.margins ? e.margins->truth : classify(triangle, e.query);
   e.verdict = judge(triangle, asked, e.truth, e.answer, contract);
   if (measure_ == Measure::wrong_answers && e.wrong()) measure();
+  // Of the ray as given: where a segment ends that an interface makes of it is the interface's choice.
+  if (e.margins) e.far_range = ends_far(searched_ray(ray, contract).ray, *e.margins, contract.precision);
   if (e.margins && e.answer.outcome == Outcome::hit && e.truth.det_sign != 0) {
     const Margins& m = *e.margins;
     if (e.answer.has_t) e.residual = off(e.answer.t, m.t, m.t_scale) / m.ulp;

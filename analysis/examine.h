@@ -23,6 +23,7 @@ struct Examination {
   /// largest coordinate. 0 where the answer or the truth has no such number; infinite where the answer's is not finite.
   double displacement = 0, residual = 0;
   Rejection rejection = Rejection::none;  ///< of a false miss, where the tracer tells
+  bool far_range = false;  ///< an end of the ray's range is farther from the origin than the largest coordinate is from 0
   bool out_of_range = false;  ///< a number of the tracer's, in this process, over- or underflowed
   bool died = false;                      ///< the tracer, of this case
 
@@ -31,7 +32,7 @@ struct Examination {
   /// How wrong a wrong answer is, in ulps of the largest coordinate at the tracer's precision; 0 where the answer is right,
   /// or wrong by convention alone (an edge, an end of the range, a culled side).
   double severity_ulps() const;
-  bool nominal() const { return margins && margins->condition().nominal() && !out_of_range; }
+  bool nominal() const { return margins && margins->condition().nominal() && !far_range && !out_of_range; }
 };
 
 /// Whose margins are wanted.

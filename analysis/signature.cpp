@@ -90,7 +90,8 @@ std::pair<Conditioning, unsigned char> conditioning(const Examination& e) {
   const double least = std::min({m.sine, m.altitude, m.size});
   const auto bucket = static_cast<unsigned char>(std::ranges::count_if(limits, [least](double l) { return least < l; }));
   if (e.out_of_range) return {Conditioning::range, bucket};
-  if (m.condition().nominal()) return {Conditioning::nominal, bucket};
+  if (e.nominal()) return {Conditioning::nominal, bucket};
+  if (m.condition().nominal()) return {Conditioning::far, bucket};
   return {least == m.sine ? Conditioning::grazing : least == m.altitude ? Conditioning::sliver : Conditioning::far, bucket};
 }
 

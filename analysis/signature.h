@@ -32,7 +32,8 @@ inline constexpr std::array<std::string_view, 10> element_names = {"none", "ab",
                                                                    "b",    "c",  "plane", "t_min", "t_max"};
 constexpr std::string_view name(Element e) { return element_names[static_cast<unsigned>(e)]; }
 
-/// Of what the case is ill-conditioned: the least of the three condition numbers, if it is below 2^-10. Before that:
+/// Of what the case is ill-conditioned: the least of the three condition numbers, if it is below 2^-10; far as well where
+/// the ray's range ends farther away than the largest coordinate (Examination::far_range). Before that:
 /// range, if a number of the tracer's over- or underflowed, so that findings of rounding and of range never mix.
 enum class Conditioning : unsigned char { nominal, grazing, sliver, far, range };
 inline constexpr std::array<std::string_view, 5> conditioning_names = {"nominal", "grazing", "sliver", "far", "range"};
