@@ -99,12 +99,14 @@ mpq_class squared_cross(const Vec& p, const Vec& q) {
   return square({p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]});
 }
 
-void check_numbers(const Shot& shot, const Margins& m) {
-  const auto& [triangle, ray] = shot;
+void check_numbers(const Triangle& triangle, const Query& query, const Margins& m) {
+  const Ray& ray = query.ray;
   const auto& [a, b, c] = triangle;
-  const Determinants k = mpq_determinants(triangle, ray);
+  const Determinants k = mpq_determinants(triangle, query);
   const Vec e1 = difference(b, a), e2 = difference(c, a), e3 = difference(c, b),
-            d = difference(ray.direction, {});
+            tail = difference(query.direction_tail, {});
+  Vec d = difference(ray.direction, {});
+  for (std::size_t i = 0; i < 3; ++i) d[i] += tail[i];
   const mpq_class normal2 = squared_cross(e1, e2), det2 = k.det * k.det;
   const mpq_class longest2 = std::max<mpq_class>({square(e1), square(e2), square(e3)});
   double largest = 0;
@@ -132,12 +134,13 @@ void check_numbers(const Shot& shot, const Margins& m) {
   ASSERT_NO_FATAL_FAILURE(expect_root(det2 / squared_cross(e3, d), m.w_scale, "w_scale"));
 }
 
-void check_severity(const Shot& shot, const Margins& m, const Severity& s, bool brute_force) {
+void check_severity(const Triangle& triangle, const Query& query, const Margins& m, const Severity& s,
+                    bool brute_force) {
   ASSERT_NO_FATAL_FAILURE(expect_near(s.length, m.severity, "severity"));
   ASSERT_NO_FATAL_FAILURE(expect_near(s.ulps, m.severity_ulps, "severity in ulps"));
   if (s.length > 0) ASSERT_NO_FATAL_FAILURE(expect_near(s.length / s.ulps, m.ulp, "ulp"));
   if (!brute_force) return;
-  const Rational s2 = squared_severity(shot.triangle, shot.ray, !m.hit);
+  const Rational s2 = squared_severity(triangle, query.ray, !m.hit);
   ASSERT_NO_FATAL_FAILURE(expect_root(mpq_class(s2.str()), m.severity, "severity by brute force"));
 }
 
@@ -183,13 +186,13 @@ Shot put_on_boundary(Shot shot, std::mt19937_64& random, Precision precision, in
   return shot;
 }
 
-void check_margins(const Shot& shot, Precision precision, bool brute_force, MarginsChecked& checked) {
-  const auto& [triangle, ray] = shot;
-  const Truth truth = classify(triangle, ray);
-  const auto m = margins(triangle, ray, precision);
-  const auto s = severity(triangle, ray, !crosses(truth), precision);
+void check_margins(const Triangle& triangle, const Query& query, Precision precision, bool brute_force,
+                   MarginsChecked& checked) {
+  const Truth truth = classify(triangle, query);
+  const auto m = margins(triangle, query, precision);
+  const auto s = severity(triangle, query, !crosses(truth), precision);
   ++checked.cases;
-  SCOPED_TRACE(explain(triangle, ray));
+  SCOPED_TRACE(explain(triangle, query));
   ASSERT_EQ(m.has_value(), s.has_value());
   if (!m) return;
   ++checked.measured;
@@ -197,8 +200,8 @@ void check_margins(const Shot& shot, Precision precision, bool brute_force, Marg
   checked.parallel += truth.hit_class == HitClass::parallel ? 1 : 0;
   ASSERT_EQ(m->truth, truth);
   ASSERT_EQ(m->hit, crosses(truth));
-  ASSERT_NO_FATAL_FAILURE(check_severity(shot, *m, *s, brute_force));
-  ASSERT_NO_FATAL_FAILURE(check_numbers(shot, *m));
+  ASSERT_NO_FATAL_FAILURE(check_severity(triangle, query, *m, *s, brute_force));
+  ASSERT_NO_FATAL_FAILURE(check_numbers(triangle, query, *m));
 }
 
 MarginsChecked check_margins_of_family(Family family, std::uint64_t seed, std::uint64_t count) {
@@ -206,7 +209,8 @@ MarginsChecked check_margins_of_family(Family family, std::uint64_t seed, std::u
   MarginsChecked checked;
   for (std::uint64_t i = 0; i < count && !testing::Test::HasFailure(); ++i) {
     SCOPED_TRACE(testing::Message() << name(family) << " seed " << seed << " index " << i);
-    check_margins(draw(family, seed, i), i % 2 == 0 ? Precision::binary64 : Precision::binary32,
+    const auto [triangle, ray] = draw(family, seed, i);
+    check_margins(triangle, ray, i % 2 == 0 ? Precision::binary64 : Precision::binary32,
                   i % (slow ? 256 : 16) == 0, checked);
   }
   return checked;
@@ -219,7 +223,7 @@ MarginsChecked check_spread_margins(Precision precision, std::uint64_t seed, std
     SCOPED_TRACE(testing::Message() << "spread, " << name(precision) << " seed " << seed << " index " << i);
     Shot shot = draw_spread(random, precision);
     if (i % 4 != 0) shot = put_on_boundary(shot, random, precision, 2);
-    check_margins(shot, precision, i % 16 == 1, checked);
+    check_margins(shot.triangle, shot.ray, precision, i % 16 == 1, checked);
   }
   return checked;
 }

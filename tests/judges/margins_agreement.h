@@ -5,6 +5,7 @@
 
 #include "case/case.h"
 #include "case/hard_families.h"
+#include "case/query.h"
 
 namespace plumbline::judges {
 
@@ -21,9 +22,10 @@ struct MarginsChecked {
   std::uint64_t cases = 0, measured = 0, hits = 0, parallel = 0;
 };
 
-/// Against classify, severity and mpq; `brute_force`: S^2 by cpp_rational too. For use with
-/// ASSERT_NO_FATAL_FAILURE.
-void check_margins(const Shot& shot, Precision precision, bool brute_force, MarginsChecked& checked);
+/// Against classify, severity and mpq; `brute_force`: S^2 by cpp_rational too, of a query without a tail. For
+/// use with ASSERT_NO_FATAL_FAILURE.
+void check_margins(const Triangle& triangle, const Query& query, Precision precision, bool brute_force,
+                   MarginsChecked& checked);
 
 /// `count` cases of a family; the brute force on every 16th, on fewer where exponents make rationals slow.
 MarginsChecked check_margins_of_family(Family family, std::uint64_t seed, std::uint64_t count);
