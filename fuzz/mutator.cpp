@@ -61,7 +61,8 @@ class Changes {
     }
     const Vec3 normal = cross(vertex(1) - vertex(0), vertex(2) - vertex(0));
     const double t = dot(normal, vertex(0) - ray.origin) / dot(normal, ray.direction);
-    const double end = is_finite(t) ? stepped(at_precision(t, plan_.precision), r_.integer(-16, 16)) : 1;
+    const double at_hit = stepped(at_precision(t, plan_.precision), r_.integer(-16, 16));
+    const double end = is_finite(at_hit) ? at_hit : 1;
     switch (r_.below(3)) {
       case 0: ray.t_min = end; return;
       case 1: ray.t_max = end; return;
@@ -280,8 +281,8 @@ double settled(double v, Precision precision, Domain domain) {
     const double most = binary32 ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
     return at_precision(is_nan(v) ? 1 : std::clamp(v, -most, most), precision);
   }
-  if (!is_finite(v)) return 1;
   v = at_precision(v, precision);
+  if (!is_finite(v)) return 1;
   if (std::abs(v) < (binary32 ? 0x1p-30 : 0x1p-40)) return 0;
   int exponent;
   return std::abs(v) < 0x1p20 ? v : std::frexp(v, &exponent);

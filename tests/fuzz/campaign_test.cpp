@@ -137,8 +137,9 @@ TEST(Campaign, KeepsTheWorstOfEachSignature) {
     if (e.nominal()) nominal = std::max(nominal, ulps);
     const auto found = signature(e);
     if (!found) continue;
-    auto [at, is_new] = worst.try_emplace(found->key(), Finding{*found, ulps, n, input});
-    if (!is_new && ulps > at->second.ulps) at->second = {*found, ulps, n, input};
+    const double how_bad = finding_ulps(e, *found);
+    auto [at, is_new] = worst.try_emplace(found->key(), Finding{*found, how_bad, n, input});
+    if (!is_new && how_bad > at->second.ulps) at->second = {*found, how_bad, n, input};
   }
   EXPECT_EQ(campaign.first_disagreement(), first);
   EXPECT_GT(nominal, 0);

@@ -21,7 +21,7 @@ FuzzInput input_of(double x) {
 }
 
 Features in_cells(std::initializer_list<Cell> cells, double error, double severity = 0, bool nominal = false) {
-  Features f{.error = error, .severity = severity, .nominal = nominal, .cells = {}};
+  Features f{.error = error, .severity = severity, .found = severity, .nominal = nominal, .cells = {}};
   for (const Cell cell : cells) f.cells[f.size++] = cell;
   return f;
 }
