@@ -85,6 +85,7 @@ void run(const Options& options) {
   if (options.seconds) launched.options.push_back(fmt::format("--time={}", *options.seconds));
   for (const std::string& path : options.seeds) launched.options.push_back("--seeds=" + path);
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stop = true; });
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow can't be written
   const bool terminal = isatty(STDERR_FILENO) != 0;
   const Summary summary = launch(launched, stop, terminal ? show : std::function<void(const LaunchStatus&)>());
   if (terminal) fmt::print(stderr, "\r\x1b[K");

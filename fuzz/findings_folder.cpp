@@ -2,10 +2,12 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <fstream>
 #include <iterator>
+#include <tuple>
 
 #include "analysis/case_files.h"
 #include "case/case_json.h"
@@ -35,6 +37,18 @@ std::string measured(const Finding& finding) {
   const Conditioning c = finding.signature.conditioning;
   return fmt::format("severity {:.6g} ulps of the largest coordinate, {}{}", finding.ulps,
                      c == Conditioning::nominal ? "" : "ill-conditioned: ", name(c));
+}
+
+// The whole line or nothing, whoever else appends; on a full disk a part of it would spoil the next.
+bool append(const fs::path& path, std::string_view line) {
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (file < 0) return false;
+  flock(file, LOCK_EX);
+  const off_t end = lseek(file, 0, SEEK_END);
+  const bool written = write(file, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+  if (!written) std::ignore = ftruncate(file, end);
+  close(file);
+  return written;
 }
 
 // The severity that a case of ours says in its first comment.
@@ -83,11 +97,9 @@ bool FindingsFolder::tell(const Finding& finding, const CampaignPlan& plan) cons
   json.number("seed", static_cast<double>(plan.seed));
   add_members(json, to_case(finding.input));
   json.end_line();
-  // One append of a line is whole, whoever else appends.
-  const int file = open((path_ / "findings.ndjson").c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  const bool written = file >= 0 && write(file, line.data(), line.size()) == static_cast<ssize_t>(line.size());
-  if (file >= 0) close(file);
-  return keep(finding, plan) && written;
+  // The case first: whatever the lines tell is then there, wherever a kill comes between.
+  const bool kept = keep(finding, plan);
+  return append(path_ / "findings.ndjson", line) && kept;
 }
 
 bool FindingsFolder::keep(const Finding& finding, const CampaignPlan& plan) const {

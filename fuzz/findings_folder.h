@@ -14,7 +14,7 @@ class FindingsFolder {
   /// Makes the folders; throws InputError where that can't be.
   explicit FindingsFolder(std::filesystem::path path);
 
-  /// A finding to tell: the line, and the case unless a worse one is there. False where either can't be written.
+  /// A finding to tell: the case unless a worse one is there, and the line. False where either can't be written.
   bool tell(const Finding& finding, const CampaignPlan& plan) const;
   /// The case alone, likewise.
   bool keep(const Finding& finding, const CampaignPlan& plan) const;

@@ -133,6 +133,8 @@ std::unique_ptr<Worker> make_worker(const FuzzerOptions& options) {
 
 void stop_on_signals() {
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { Worker::stop = true; });
+  // A file that may not grow can't be written, which is told at the end. libFuzzer leaves a handler that is there.
+  std::signal(SIGXFSZ, [](int) {});
 }
 
 }  // namespace plumbline

@@ -24,7 +24,7 @@ FuzzerOptions fuzzer_options(int argc, const char* const* argv);
 /// A worker that aborts where the options say so.
 std::unique_ptr<Worker> make_worker(const FuzzerOptions& options);
 
-/// SIGINT and SIGTERM end the search as a limit does.
+/// SIGINT and SIGTERM end the search as a limit does; SIGXFSZ doesn't end it.
 void stop_on_signals();
 
 }  // namespace plumbline

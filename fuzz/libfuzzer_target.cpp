@@ -32,7 +32,7 @@ void show(Cell cell) {
   if (counter < levels[cell % 8]) counter = levels[cell % 8];
 }
 
-void leave() {
+void finish() {
   try {
     worker->finish();
   } catch (const InputError& error) {
@@ -40,6 +40,10 @@ void leave() {
     std::fflush(nullptr);
     std::_Exit(2);
   }
+}
+
+void leave() {
+  finish();
   std::fflush(nullptr);
   std::_Exit(0);
 }
@@ -48,7 +52,8 @@ void initialize(int* argc, char*** argv) {
   options = std::make_unique<FuzzerOptions>(fuzzer_options(*argc, *argv));
   static std::vector<char*> rest = {(*argv)[0]};
   for (std::string& word : options->rest) {
-    if (word.starts_with("-merge=1") || word.starts_with("-set_cover_merge=1")) merging = true;
+    // libFuzzer runs itself again for it, with -merge_inner=1.
+    if (word.starts_with("-merge") || word.starts_with("-set_cover_merge")) merging = true;
     if (!word.starts_with('-') && std::filesystem::is_directory(word) && options->worker.folder.empty() &&
         options->worker.elites.empty())
       options->worker.elites = word;
@@ -62,9 +67,7 @@ void initialize(int* argc, char*** argv) {
   worker = make_worker(*options);
   stop_on_signals();
   // Limits of libFuzzer's own end the process without a word; what was found by then is kept.
-  std::atexit([] {
-    if (worker) leave();
-  });
+  std::atexit(finish);
 }
 
 }  // namespace

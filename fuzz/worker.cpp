@@ -22,14 +22,18 @@ Summary blank(const CampaignPlan& plan) {
 }
 
 Summary earlier(const WorkerPlan& plan) {
-  Summary now = blank(plan.campaign);
+  const Summary now = blank(plan.campaign);
   if (plan.folder.empty()) return now;
-  const auto before = read_summary(state_file(plan));
-  if (!before) return now;
-  if (before->tracer != now.tracer || before->space != now.space || before->domain != now.domain)
-    throw InputError(fmt::format("{}: holds a campaign of {} (space {}, domain {}); name another folder",
-                                 plan.folder.string(), before->tracer, before->space, before->domain));
-  return *before;
+  // Another process's state, too, tells whose campaign it is.
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(plan.folder / "jobs", error)) {
+    if (entry.path().extension() != ".json") continue;
+    const auto before = read_summary(entry.path());
+    if (before && (before->tracer != now.tracer || before->space != now.space || before->domain != now.domain))
+      throw InputError(fmt::format("{}: holds a campaign of {} (space {}, domain {}); name another folder",
+                                   plan.folder.string(), before->tracer, before->space, before->domain));
+  }
+  return read_summary(state_file(plan)).value_or(now);
 }
 
 // A search that goes on draws other numbers than it drew before.
@@ -65,6 +69,7 @@ Worker::Worker(WorkerPlan plan) : plan_(std::move(plan)), before_(earlier(plan_)
   if (findings_)
     campaign_.on_finding = [this](const Finding& finding) { written_ &= findings_->tell(finding, plan_.campaign); };
   start_ = Clock::now();
+  if (!plan_.folder.empty()) write_summary(state_file(plan_), summary());  // from now on it's this tracer's
   next_look_ = start_ + std::chrono::seconds(1);
 }
 
