@@ -120,7 +120,11 @@ std::optional<Signature> signature(const Examination& e, Wish wish) {
   s.kind = *found;
   s.rejection = e.rejection;
   s.lucky = e.wrong() && wish == (e.answer.outcome == Outcome::hit ? Wish::hit : Wish::miss);
-  if (!e.margins) return s;
+  if (!e.margins) {  // no condition numbers: they would be 0
+    if (e.truth.hit_class == HitClass::degenerate) s.conditioning = Conditioning::sliver, s.bucket = 4;
+    if (e.truth.hit_class == HitClass::coplanar) s.conditioning = Conditioning::grazing, s.bucket = 4;
+    return s;
+  }
   std::tie(s.conditioning, s.bucket) = conditioning(e);
   s.boundary = e.wrong() && on_boundary(e.truth);
   if (s.kind == FindingKind::false_hit) s.element = passed(e);

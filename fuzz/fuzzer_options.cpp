@@ -70,6 +70,7 @@ FuzzerOptions fuzzer_options(int argc, const char* const* argv) {
   bool record = false;
   CLI::App app("Searches for the worst errors of one tracer. 'plumbline fuzz' starts this program; it can also be run by\n"
                "itself, with the flags of libFuzzer and a corpus folder, which is then the archive.");
+  app.set_help_flag("--help", "Print this help");  // not -h, with which libFuzzer's -handle_abrt begins
   app.allow_extras();
   app.add_option("--tracer", tracer, "Who is searched: a NAME of 'plumbline tracers', ./libmine.so or pipe:CMD");
   app.add_option("--space", space)->check(CLI::IsMember(std::vector<std::string>(space_names.begin(), space_names.end())));
