@@ -3,6 +3,7 @@
 #pragma once
 #include <optional>
 
+#include "case/float_bits.h"
 #include "case/geometry.h"
 
 namespace plumbline {
@@ -15,7 +16,11 @@ struct Query {
   Query() = default;
   Query(const Ray& r) : ray(r) {}  // NOLINT(google-explicit-constructor): every ray is a query
 
-  bool has_tail() const { return direction_tail != Vec3{}; }
+  /// By the bits: a subnormal tail is one, DAZ or not.
+  bool has_tail() const {
+    const auto& [x, y, z] = direction_tail;
+    return !is_zero(x) || !is_zero(y) || !is_zero(z);
+  }
   friend bool operator==(const Query&, const Query&) = default;
 };
 

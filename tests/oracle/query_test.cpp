@@ -12,6 +12,7 @@
 #include "tests/judges/mpq_judge.h"
 #include "tests/judges/print.h"
 #include "tests/judges/seed.h"
+#include "tests/oracle/float_environment.h"
 #include "tests/oracle/grid_shots.h"
 
 namespace plumbline {
@@ -84,6 +85,21 @@ TEST(Query, IsInvalidAsItsRay) {
   query.direction_tail = {0, 0x1p-70, 0};
   EXPECT_EQ(classify(triangle, query).invalid, Invalid::direction_not_finite);
   EXPECT_FALSE(measure<double>(triangle, query));
+}
+
+TEST(Query, ASubnormalTailCountsInEveryEnvironment) {
+  const Triangle triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  Query query = Ray{.origin = {0.25, 0, 1}, .direction = {0, 0, -1}};
+  query.direction_tail = {0, -0x1p-1074, 0};
+  for (const FloatEnvironment& environment : float_environments()) {
+    SCOPED_TRACE(testing::Message() << environment);
+    Truth truth;
+    {
+      const FloatScope scope(environment);
+      truth = classify(triangle, query);
+    }
+    EXPECT_EQ(truth.hit_class, HitClass::exterior);
+  }
 }
 
 }  // namespace
