@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "case/case_json.h"
+#include "case/case_lines.h"
 #include "case/input_error.h"
 #include "float_tracer/child_program.h"
 #include "float_tracer/complaints.h"
