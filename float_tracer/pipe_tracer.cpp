@@ -282,8 +282,6 @@ void check_that_it_answers(Programs& programs, const std::string& name, Precisio
 
 }  // namespace
 
-bool names_pipe(std::string_view name) { return name.starts_with(prefix64) || name.starts_with(prefix32); }
-
 std::unique_ptr<Tracer> pipe_tracer(const std::string& name, double timeout) {
   const bool single = name.starts_with(prefix32);
   const std::string command = name.substr(single ? prefix32.size() : prefix64.size());

@@ -18,7 +18,7 @@
 namespace plumbline {
 
 /// Whether the name begins with pipe: or pipe32:.
-bool names_pipe(std::string_view name);
+inline bool names_pipe(std::string_view name) { return name.starts_with("pipe:") || name.starts_with("pipe32:"); }
 
 /// Starts the program and asks it an easy case. Throws InputError, with the line to try, if that isn't answered.
 /// `timeout` is in seconds, for a batch. SIGPIPE has to be ignored.
