@@ -84,7 +84,7 @@ FuzzerOptions fuzzer_options(int argc, const char* const* argv) {
   app.add_option("--time", o.worker.seconds, "Stop after so many seconds");
   app.add_option("--tracer-timeout", foreign.timeout, "Seconds that a program (pipe:CMD) may take for a case");
   app.add_option("--seeds", o.seeds, "Cases to begin with: .case files and folders")->allow_extra_args(false);
-  app.add_flag("--abort", o.abort, "Abort at a finding that is new, or twice as severe as in the baseline");
+  app.add_flag("--abort", o.abort, "Abort at a finding of a new class, or twice as severe as the baseline's there");
   app.add_flag("--record", record, "Record findings and go on, also where this build aborts by default");
   app.add_option("--baseline", o.baseline, "Findings that are known: .case files and folders")->allow_extra_args(false);
 
@@ -122,11 +122,15 @@ std::unique_ptr<Worker> make_worker(const FuzzerOptions& options) {
   auto worker = std::make_unique<Worker>(options.worker);
   const CampaignPlan& plan = options.worker.campaign;
   for_each_input(options.baseline, plan, [&](const FuzzInput& input) { worker->campaign().recall(input); });
-  if (options.abort)
-    worker->campaign().on_finding = [&plan, record = worker->campaign().on_finding](const Finding& finding) {
+  if (options.abort) {
+    Baseline baseline;
+    for (const auto& [key, finding] : worker->campaign().findings()) baseline.add(finding);
+    auto& on_finding = worker->campaign().on_finding;
+    on_finding = [&plan, baseline, record = on_finding](const Finding& finding) {
       if (record) record(finding);
-      raise_alarm(finding, plan);
+      if (baseline.exceeded_by(finding)) raise_alarm(finding, plan);
     };
+  }
   for_each_input(options.seeds, plan, [&](const FuzzInput& input) { worker->test(input); });
   return worker;
 }

@@ -10,8 +10,8 @@ namespace plumbline {
 
 struct FuzzerOptions {
   WorkerPlan worker;
-  bool abort = false;                  ///< at a finding that is new, or twice as severe as in the baseline
-  std::vector<std::string> baseline;   ///< .case files and folders: findings that are known
+  bool abort = false;                  ///< at a finding that exceeds the baseline (alarm.h)
+  std::vector<std::string> baseline;   ///< .case files and folders: what is known, beside what the archive holds
   std::vector<std::string> seeds;      ///< .case files and folders: executed first
   std::vector<std::string> rest;       ///< what is not ours: flags of libFuzzer, files and folders
 };
