@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
+#include <random>
 
 #include "analysis/case_files.h"
 #include "analysis/tracers.h"
@@ -50,6 +53,15 @@ std::vector<std::string> words(const std::string& lines) {
   std::istringstream in(lines);
   for (std::string line; std::getline(in, line);) list.push_back(line);
   return list;
+}
+
+// -seed=N, which libFuzzer also gives to the children that it forks; 0 stands for any.
+std::optional<std::uint64_t> seed_of_libfuzzer(const std::vector<std::string>& flags) {
+  constexpr std::string_view flag = "-seed=";
+  std::uint64_t seed = 0;
+  for (const std::string& word : flags)
+    if (word.starts_with(flag)) std::from_chars(word.data() + flag.size(), word.data() + word.size(), seed);
+  return seed == 0 ? std::nullopt : std::optional(seed);
 }
 
 void for_each_input(const std::vector<std::string>& paths, const CampaignPlan& plan,
@@ -114,6 +126,10 @@ FuzzerOptions fuzzer_options(int argc, const char* const* argv) {
   if (const std::string known = std::string(argv[0]) + "_baseline.case"; fs::exists(known)) o.baseline.push_back(known);
   o.worker.campaign.stream = std::uint64_t{o.worker.job} << 48;
   o.rest = app.remaining();
+  if (app.count("--seed") == 0) {
+    std::uint64_t& seed = o.worker.campaign.seed;
+    seed = seed_of_libfuzzer(o.rest).value_or(o.abort ? std::random_device{}() : seed);
+  }
   setenv(environment, ours.c_str(), 1);
   return o;
 }
