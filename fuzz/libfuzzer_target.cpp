@@ -47,13 +47,17 @@ void initialize(int* argc, char*** argv) {
   options = std::make_unique<FuzzerOptions>(fuzzer_options(*argc, *argv));
   static std::vector<char*> rest = {(*argv)[0]};
   for (std::string& word : options->rest) {
-    if (word.starts_with("-merge=1") || word.starts_with("-set_cover_merge=1")) merging = true;
+    // libFuzzer runs itself again for it, with -merge_inner=1.
+    if (word.starts_with("-merge") || word.starts_with("-set_cover_merge")) merging = true;
     if (!word.starts_with('-') && std::filesystem::is_directory(word) && options->worker.folder.empty() &&
         options->worker.elites.empty())
       options->worker.elites = word;
     rest.push_back(word.data());
   }
-  if (merging) options->worker.elites.clear();
+  if (merging) {
+    options->worker.elites.clear();
+    options->abort = false;  // what aborts is dropped from the corpus, and the merge begun anew
+  }
   *argc = static_cast<int>(rest.size());
   rest.push_back(nullptr);
   *argv = rest.data();
