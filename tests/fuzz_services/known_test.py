@@ -23,7 +23,7 @@ class Known(unittest.TestCase):
         self.assertGreater(len(targets), 8)
         self.assertEqual(sorted(targets), [path.stem for path in KNOWN])
         listed = subprocess.run([PLUMBLINE, "tracers", "--json"], capture_output=True, text=True, check=True).stdout
-        names = {json.loads(line)["name"] for line in listed.splitlines()}
+        names = {json.loads(line)["tracer"] for line in listed.splitlines()}
         self.assertLessEqual({tracer_of(target) for target in targets}, names)
 
     def test_each_case_is_a_finding(self):
