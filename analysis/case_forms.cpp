@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "case/case_json.h"
+#include "case/case_lines.h"
 #include "case/case_text.h"
 #include "case/input_error.h"
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 
+#include "case/from_chars.h"
 #include "case/input_error.h"
 
 namespace plumbline {
@@ -68,7 +68,7 @@ double to_double(const Decimal& value) {
   std::array<char, 40> text;
   const auto end = fmt::format_to_n(text.data(), text.size(), "{}e{}", value.digits, value.exponent).out;
   double nearest = 0;
-  std::from_chars(text.data(), end, nearest);
+  from_chars(text.data(), end, nearest);
   return nearest;
 }
 

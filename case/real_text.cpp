@@ -1,10 +1,10 @@
 #include "case/real_text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 
 #include "case/float_bits.h"
+#include "case/from_chars.h"
 
 namespace plumbline {
 namespace {
@@ -48,7 +48,7 @@ std::optional<double> parse_real(std::string_view text) {
   const bool hex = format == std::chars_format::hex;
   if (digits.find_first_of(hex ? ".0123456789abcdefABCDEF" : ".0123456789") != 0) return std::nullopt;
   double x = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), x, format);
+  const auto [end, error] = from_chars(digits.data(), digits.data() + digits.size(), x, format);
   if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) return std::nullopt;
   if (error == std::errc::result_out_of_range) x = is_huge(digits, format) ? inf : 0;
   return with_sign(x);

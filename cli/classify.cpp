@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "case/float_bits.h"
+#include "case/json_object.h"
 #include "cli/stream.h"
 #include "cli/verb.h"
 #include "oracle/classify.h"

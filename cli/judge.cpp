@@ -6,6 +6,7 @@
 #include "analysis/ask.h"
 #include "analysis/tracers.h"
 #include "case/input_error.h"
+#include "case/json_object.h"
 #include "cli/stream.h"
 #include "cli/tracer_options.h"
 #include "cli/verb.h"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "case/case_json.h"
+#include "case/case_lines.h"
 
 namespace plumbline {
 

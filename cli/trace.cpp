@@ -4,6 +4,7 @@
 
 #include "analysis/ask.h"
 #include "analysis/tracers.h"
+#include "case/case_json.h"
 #include "cli/stream.h"
 #include "cli/tracer_options.h"
 #include "cli/verb.h"

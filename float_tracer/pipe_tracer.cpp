@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "case/case_json.h"
+#include "case/case_lines.h"
 #include "case/contract_text.h"
 #include "case/input_error.h"
 #include "float_tracer/child_program.h"
@@ -307,11 +308,6 @@ Parsed parsed(const std::string& name) {
 }
 
 }  // namespace
-
-bool names_pipe(std::string_view name) {
-  return std::ranges::any_of(std::array{"pipe:", "pipe[", "pipe32:", "pipe32["},
-                             [&](std::string_view kind) { return name.starts_with(kind); });
-}
 
 std::unique_ptr<Tracer> pipe_tracer(const std::string& name, double timeout) {
   auto [contract, command] = parsed(name);

@@ -19,7 +19,11 @@
 namespace plumbline {
 
 /// Whether the name begins with pipe: or pipe32:, or one of these with brackets before the colon.
-bool names_pipe(std::string_view name);
+inline bool names_pipe(std::string_view name) {
+  for (const std::string_view kind : {"pipe:", "pipe[", "pipe32:", "pipe32["})
+    if (name.starts_with(kind)) return true;
+  return false;
+}
 
 /// Starts the program and asks it an easy case. Throws InputError, with the line to try, if that isn't answered; and
 /// for brackets that can't be read.

@@ -42,6 +42,16 @@ constexpr auto failures = []<std::size_t... I>(std::index_sequence<I...>) {
 
 }  // namespace
 
+void Baseline::add(const Finding& finding) {
+  double& worst = worst_[class_of(finding.signature)];
+  worst = std::max(worst, finding.ulps);
+}
+
+bool Baseline::exceeded_by(const Finding& finding) const {
+  const auto known = worst_.find(class_of(finding.signature));
+  return known == worst_.end() || (finding.ulps > known->second && finding.ulps >= 2 * known->second);
+}
+
 void raise_alarm(const Finding& finding, const CampaignPlan& plan) {
   failures[class_of(finding.signature)](to_text(to_case(finding, plan)));
   std::abort();  // not reached; keeps the call above from being a jump, and this function on the stack

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
+#include <random>
 
 #include "analysis/case_files.h"
 #include "analysis/tracers.h"
@@ -52,6 +55,15 @@ std::vector<std::string> words(const std::string& lines) {
   return list;
 }
 
+// -seed=N, which libFuzzer also gives to the children that it forks; 0 stands for any.
+std::optional<std::uint64_t> seed_of_libfuzzer(const std::vector<std::string>& flags) {
+  constexpr std::string_view flag = "-seed=";
+  std::uint64_t seed = 0;
+  for (const std::string& word : flags)
+    if (word.starts_with(flag)) std::from_chars(word.data() + flag.size(), word.data() + word.size(), seed);
+  return seed == 0 ? std::nullopt : std::optional(seed);
+}
+
 void for_each_input(const std::vector<std::string>& paths, const CampaignPlan& plan,
                     const std::function<void(const FuzzInput&)>& take) {
   const FuzzInput like = input_like(plan);
@@ -85,7 +97,7 @@ FuzzerOptions fuzzer_options(int argc, const char* const* argv) {
   app.add_option("--time", o.worker.seconds, "Stop after so many seconds");
   app.add_option("--tracer-timeout", foreign.timeout, "Seconds that a program (pipe:CMD) may take for a case");
   app.add_option("--seeds", o.seeds, "Cases to begin with: .case files and folders")->allow_extra_args(false);
-  app.add_flag("--abort", o.abort, "Abort at a finding that is new, or twice as severe as in the baseline");
+  app.add_flag("--abort", o.abort, "Abort at a finding of a new class, or twice as severe as the baseline's there");
   app.add_flag("--record", record, "Record findings and go on, also where this build aborts by default");
   app.add_option("--baseline", o.baseline, "Findings that are known: .case files and folders")->allow_extra_args(false);
 
@@ -115,6 +127,10 @@ FuzzerOptions fuzzer_options(int argc, const char* const* argv) {
   if (const std::string known = std::string(argv[0]) + "_baseline.case"; fs::exists(known)) o.baseline.push_back(known);
   o.worker.campaign.stream = std::uint64_t{o.worker.job} << 48;
   o.rest = app.remaining();
+  if (app.count("--seed") == 0) {
+    std::uint64_t& seed = o.worker.campaign.seed;
+    seed = seed_of_libfuzzer(o.rest).value_or(o.abort ? std::random_device{}() : seed);
+  }
   setenv(environment, ours.c_str(), 1);
   return o;
 }
@@ -123,11 +139,15 @@ std::unique_ptr<Worker> make_worker(const FuzzerOptions& options) {
   auto worker = std::make_unique<Worker>(options.worker);
   const CampaignPlan& plan = options.worker.campaign;
   for_each_input(options.baseline, plan, [&](const FuzzInput& input) { worker->campaign().recall(input); });
-  if (options.abort)
-    worker->campaign().on_finding = [&plan, record = worker->campaign().on_finding](const Finding& finding) {
+  if (options.abort) {
+    Baseline baseline;
+    for (const auto& [key, finding] : worker->campaign().findings()) baseline.add(finding);
+    auto& on_finding = worker->campaign().on_finding;
+    on_finding = [&plan, baseline, record = on_finding](const Finding& finding) {
       if (record) record(finding);
-      raise_alarm(finding, plan);
+      if (baseline.exceeded_by(finding)) raise_alarm(finding, plan);
     };
+  }
   for_each_input(options.seeds, plan, [&](const FuzzInput& input) { worker->test(input); });
   return worker;
 }

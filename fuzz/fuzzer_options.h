@@ -10,15 +10,16 @@ namespace plumbline {
 
 struct FuzzerOptions {
   WorkerPlan worker;
-  bool abort = false;                  ///< at a finding that is new, or twice as severe as in the baseline
-  std::vector<std::string> baseline;   ///< .case files and folders: findings that are known
+  bool abort = false;                  ///< at a finding that exceeds the baseline (alarm.h)
+  std::vector<std::string> baseline;   ///< .case files and folders: what is known, beside what the archive holds
   std::vector<std::string> seeds;      ///< .case files and folders: executed first
   std::vector<std::string> rest;       ///< what is not ours: flags of libFuzzer, files and folders
 };
 
 /// argv[0] and what follows. Without --tracer, the options are those of the environment variable PLUMBLINE_FUZZER, which is
 /// set for child processes; or the program's name tells: fuzz_TRACER, fuzz_TRACER_target, fuzz_TRACER_full. A file
-/// PROGRAM_baseline.case beside it is its baseline. Prints help and exits, where asked for; throws InputError.
+/// PROGRAM_baseline.case beside it is its baseline. Without --seed, libFuzzer's -seed counts; without that, where it
+/// aborts, every run has another. Prints help and exits, where asked for; throws InputError.
 FuzzerOptions fuzzer_options(int argc, const char* const* argv);
 
 /// A worker that aborts where the options say so.

@@ -59,7 +59,10 @@ void initialize(int* argc, char*** argv) {
       options->worker.elites = word;
     rest.push_back(word.data());
   }
-  if (merging) options->worker.elites.clear();
+  if (merging) {
+    options->worker.elites.clear();
+    options->abort = false;  // what aborts is dropped from the corpus, and the merge begun anew
+  }
   *argc = static_cast<int>(rest.size());
   rest.push_back(nullptr);
   *argv = rest.data();
