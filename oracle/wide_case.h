@@ -28,15 +28,16 @@ struct WideCase {
   /// No value where the coordinates are not such integers, or one is NaN or infinite. The direction may be
   /// zero.
   static std::optional<WideCase> make(const Triangle& triangle, const Ray& ray) {
+    // A number below the unit is seen before any is scaled.
     const double point = largest_magnitude(ray.origin, triangle.a, triangle.b, triangle.c);
+    if (!is_finite(point)) return std::nullopt;
+    if (below(least_magnitude(ray.origin, triangle.a, triangle.b, triangle.c), unit(point))) return std::nullopt;
     const double direction = largest_magnitude(ray.direction);
-    if (!is_finite(point) || !is_finite(direction)) return std::nullopt;
+    if (!is_finite(direction)) return std::nullopt;
+    if (below(least_magnitude(ray.direction), unit(direction))) return std::nullopt;
     WideCase x;
     x.point_unit = unit(point);
     x.direction_unit = unit(direction);
-    // A number below the unit is seen before any is scaled.
-    if (below(least_magnitude(ray.origin, triangle.a, triangle.b, triangle.c), x.point_unit)) return std::nullopt;
-    if (below(least_magnitude(ray.direction), x.direction_unit)) return std::nullopt;
     std::uint64_t lost = 0;
     x.origin = scaled(ray.origin, x.point_unit, lost);
     x.direction = scaled(ray.direction, x.direction_unit, lost);
