@@ -40,8 +40,9 @@ void judge_again(const Examination& e, const Contract& contract, Rejudged& sum) 
   }
   ASSERT_NE(answered, hit);
   ASSERT_EQ(e.verdict, answered ? VerdictKind::false_hit : VerdictKind::false_miss);
-  if (!e.margins) {  // only what touches, or has no area, isn't measured
-    ASSERT_TRUE(judged.truth.hit_class == HitClass::degenerate || judged.touches);
+  if (!e.margins) {  // only what touches, has no area or no t in its range isn't measured
+    const bool empty = !(e.query.ray.t_min <= e.query.ray.t_max);
+    ASSERT_TRUE(judged.truth.hit_class == HitClass::degenerate || judged.touches || empty);
     return;
   }
   const Rational s2 = judges::squared_severity(e.triangle, e.query.ray, answered);
