@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "analysis/ask.h"
-#include "analysis/case_files.h"
 #include "analysis/tracers.h"
+#include "case/case_files.h"
 #include "case/case_text.h"
 #include "case/input_error.h"
 #include "case/real_text.h"
