@@ -13,6 +13,7 @@ import unittest
 
 BUILD = pathlib.Path(sys.argv.pop()).resolve()
 HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
 CONSUMER = HERE / "consumer"
 CMAKE, CTEST, CC, CXX = (os.environ[name] for name in ("CMAKE", "CTEST", "CC", "CXX"))
 
@@ -34,7 +35,7 @@ class Install(unittest.TestCase):
         for file in cls.prefix.rglob("*"):
             if file.suffix in {".cmake", ".pc", ".h"}:
                 text = file.read_text()
-                assert str(cls.folder) not in text and str(HERE.parents[1]) not in text, file
+                assert str(cls.folder) not in text and str(ROOT) not in text, file
         moved = cls.folder / "moved to" / "prefix"
         moved.parent.mkdir()
         cls.prefix = cls.prefix.rename(moved)
@@ -91,6 +92,22 @@ class Install(unittest.TestCase):
         labels = self.fine(CTEST, "--test-dir", build, "-N", "-L", "regression")
         self.assertIn("Total Tests: 6", labels)
 
+    def test_the_examples_of_the_documentation(self):
+        blocks = re.findall(r"```(cmake|cpp)\n(.*?)```", (ROOT / "docs" / "regressions.md").read_text(), re.S)
+        self.assertEqual([language for language, _ in blocks], ["cmake", "cmake", "cpp"])
+        source = self.folder / "documented"
+        source.mkdir()
+        (source / "CMakeLists.txt").write_text(blocks[0][1])
+        shutil.copy(ROOT / "examples" / "c_abi" / "my_tracer.c", source)
+        shutil.copytree(CONSUMER / "corpus", source / "corpus", ignore=shutil.ignore_patterns("open.case"))
+        done = self.configure(source, source / "build")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.fine(CMAKE, "--build", source / "build")
+        self.assertEqual(self.ctest(source / "build", ".")[0],
+                         {"my_corpus.plain": "Passed", "my_corpus.small": "Passed"})
+        (source / "unit_test.cpp").write_text(blocks[2][1])
+        self.fine(CXX, "-std=c++20", "-fsyntax-only", f"-I{self.prefix}/include/plumbline", source / "unit_test.cpp")
+
     def test_every_header_stands_alone(self):
         headers = sorted((self.prefix / "include" / "plumbline").rglob("*.h"))
         self.assertEqual(len(headers), 23)
@@ -114,7 +131,7 @@ class Install(unittest.TestCase):
 
     def test_without_a_compiler_or_a_target(self):
         """The component oracle isn't asked for, nor what it needs; a tracer is a program, or of this build."""
-        tracer = HERE.parents[1] / "examples" / "pipe" / "ray_tracer.py"
+        tracer = ROOT / "examples" / "pipe" / "ray_tracer.py"
         source, done = self.project("small", "find_package(plumbline REQUIRED)\n"
                                     f'plumbline_add_corpus(NAME piped TRACER "pipe:/usr/bin/python3 -B {tracer}"\n'
                                     "                     CASES corpus/plain.case TRACER_TIMEOUT 60)\n"
