@@ -1,12 +1,19 @@
 """The reusable workflow, as far as that can be told without GitHub: its keys, that every input is used and every one
-used is there, that inputs reach shells as variables only, and that its commands are ones that exist."""
+used is there, that inputs reach shells as variables only; and its steps that build a tracer and replay, run by a
+shell in a folder like a checkout. Arguments: the program, the C compiler."""
+import os
 import pathlib
 import re
+import shutil
+import subprocess
+import sys
+import tempfile
 import unittest
 
 import yaml
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+CC, PROGRAM = sys.argv.pop(), pathlib.Path(sys.argv.pop())
 PATH = ROOT / ".github" / "workflows" / "plumbline-regressions.yml"
 
 
@@ -43,14 +50,36 @@ class Workflow(unittest.TestCase):
         for step in self.steps:
             self.assertNotIn("${{", step.get("run", ""), step)
 
-    def test_commands_exist(self):
-        replay = (ROOT / "cli" / "replay.cpp").read_text()
-        commands = "\n".join(step.get("run", "") for step in self.steps)
-        for option in ("--tracer", "--github", "--sarif", "--junit"):
-            self.assertIn(option, commands)
-            self.assertIn(f'"{option}"', replay)
-        self.assertTrue((ROOT / "cmake" / "install-dependencies").exists())
-        self.assertIn("cmake/install-dependencies core", commands)
+    def test_build_and_replay(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        checkout = pathlib.Path(scratch.name)
+        shutil.copy(ROOT / "examples" / "c_abi" / "my_tracer.c", checkout)
+        shutil.copytree(ROOT / "tests" / "install" / "consumer" / "corpus", checkout / "corpus")
+        (checkout / ".plumbline" / "build" / "release" / "cli").mkdir(parents=True)
+        (checkout / ".plumbline" / "build" / "release" / "cli" / "plumbline").symlink_to(PROGRAM)
+        (checkout / ".plumbline" / "float_tracer").symlink_to(ROOT / "float_tracer")
+        given = {"inputs.corpus": "corpus/plain.case corpus/small.case", "inputs.tracer": "./libmine.so",
+                 "inputs.tracer-build": f'{CC} -O2 -ffp-contract=off -shared -fPIC -I "$PLUMBLINE_INCLUDE" '
+                                        "-o libmine.so my_tracer.c -lm"}
+
+        def run(name):
+            step = next(step for step in self.steps if step.get("name") == name)
+            variables = {key: given[re.fullmatch(r"\$\{\{ (.*) \}\}", value)[1]]
+                         for key, value in step["env"].items()}
+            return subprocess.run(["sh", "-e", "-c", step["run"]], cwd=checkout, env=os.environ | variables,
+                                  capture_output=True, text=True)
+
+        built = run("Build the tracer")
+        self.assertEqual(built.returncode, 0, built.stderr)
+        done = run("Replay")
+        self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
+        self.assertTrue((checkout / "plumbline.sarif").exists() and (checkout / "plumbline.xml").exists())
+        with open(checkout / "corpus" / "plain.case", "a") as file:
+            file.write("known my_tracer false-miss\n")
+        done = run("Replay")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertRegex(done.stdout, r"\A::error file=corpus/plain.case,line=6,title=plumbline known-now-passes::")
 
 
 if __name__ == "__main__":
