@@ -102,10 +102,10 @@ void add_replay(CLI::App& app, bool& disagreement) {
   verb->add_option("--junit", options->junit, "Write JUnit XML too: a testsuite for each tracer")->type_name("FILE");
   verb->add_option("--sarif", options->sarif, "Write SARIF 2.1.0 too, for code scanning")->type_name("FILE");
   verb->add_option("--json", options->json,
-                   "Write a JSON line for each case and tracer too; '-': on standard output, instead")
+                   "Write a JSON line for each case and tracer too; '-': in place of the lines for people")
       ->type_name("FILE");
   verb->add_flag("--github", options->github,
-                 "Print what there is to tell as annotations for GitHub's workflows, instead");
+                 "Print annotations for GitHub's workflows in place of the lines for people");
   add_tracer_timeout(*verb, options->foreign);
   verb->footer(
       "The oracle derives what each case expects again, and every tracer is asked and judged. A line is printed for\n"

@@ -9,8 +9,8 @@
 namespace plumbline {
 namespace {
 
-// As text or as an attribute. What XML 1.0 can't hold at all, most control characters, becomes U+FFFD.
-std::string xml(std::string_view text) {
+// What XML 1.0 can't hold at all, most control characters, becomes U+FFFD. In an attribute, blanks would become spaces.
+std::string xml(std::string_view text, bool in_attribute = true) {
   constexpr std::string_view replacement = "\xef\xbf\xbd", not_characters[] = {"\xef\xbf\xbe", "\xef\xbf\xbf"};
   const std::string utf8 = as_utf8(text);
   std::string out;
@@ -26,7 +26,9 @@ std::string xml(std::string_view text) {
       case '<': out += "&lt;"; break;
       case '>': out += "&gt;"; break;
       case '"': out += "&quot;"; break;
-      case '\t': case '\n': case '\r': out += fmt::format("&#{};", static_cast<int>(c)); break;
+      case '\r': out += "&#13;"; break;
+      case '\n': out += in_attribute ? "&#10;" : "\n"; break;
+      case '\t': out += in_attribute ? "&#9;" : "\t"; break;
       default: static_cast<unsigned char>(c) < 0x20 ? out += replacement : out += c;
     }
   }
@@ -43,7 +45,7 @@ void append_testcase(std::string& out, const ReplaySummary& summary, const Repla
     out += fmt::format(">\n      <skipped message=\"{}\"/>\n    </testcase>\n", xml(result.message));
   } else {
     out += fmt::format(">\n      <failure type=\"{}\" message=\"{}\">{}</failure>\n    </testcase>\n",
-                       name(*result.rule), xml(result.message), xml(result.message + "\n" + result.why));
+                       name(*result.rule), xml(result.message), xml(result.message + "\n" + result.why, false));
   }
 }
 
