@@ -9,7 +9,7 @@
 namespace plumbline {
 namespace {
 
-// What XML 1.0 can't hold at all, most control characters, becomes U+FFFD. In an attribute, blanks would become spaces.
+// What XML 1.0 can't hold, most control characters, becomes U+FFFD. In an attribute, blanks would become spaces.
 std::string xml(std::string_view text, bool in_attribute = true) {
   constexpr std::string_view replacement = "\xef\xbf\xbd", not_characters[] = {"\xef\xbf\xbe", "\xef\xbf\xbf"};
   const std::string utf8 = as_utf8(text);
