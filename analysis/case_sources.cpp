@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "analysis/ask.h"
-#include "analysis/case_files.h"
+#include "case/case_files.h"
 #include "case/case_text.h"
 #include "case/enum_names.h"
 #include "case/hard_families.h"

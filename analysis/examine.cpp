@@ -37,10 +37,15 @@ double Examination::severity_ulps() const {
 Examiner::Examiner(const Tracer& tracer, Measure measure) : tracer_(tracer), measure_(measure) { bag_.triangles.resize(1); }
 
 Examination Examiner::examine(const Triangle& triangle, const Ray& ray) {
-  const Contract& contract = tracer_.info().contract;
   bag_.triangles.front() = triangle;
+  return examine(bag_, ray);
+}
+
+Examination Examiner::examine(const Bag& asked_of, const Ray& ray) {
+  const Contract& contract = tracer_.info().contract;
+  const Triangle& triangle = asked_of.triangles.front();
   std::feclearexcept(FE_OVERFLOW | FE_UNDERFLOW);
-  const auto bag = tracer_.prepare(bag_);
+  const auto bag = tracer_.prepare(asked_of);
   Examination e;
   bag->trace({&ray, 1}, {&e.answer, 1});
   e.out_of_range = std::fetestexcept(FE_OVERFLOW | FE_UNDERFLOW) != 0;

@@ -44,6 +44,8 @@ class Examiner {
 
   /// The numbers are of the tracer's precision. The tracer is asked with a bag of its own.
   Examination examine(const Triangle& triangle, const Ray& ray);
+  /// The same of a bag of one triangle, whose mode some tracers read.
+  Examination examine(const Bag& bag, const Ray& ray);
 
   const Tracer& tracer() const { return tracer_; }
   /// What the tracer did up to now.

@@ -3,80 +3,62 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "analysis/ask.h"
-#include "analysis/case_files.h"
+#include "analysis/signature.h"
 #include "analysis/tracers.h"
-#include "case/case_text.h"
-#include "case/input_error.h"
-#include "case/real_text.h"
-#include "oracle/classify.h"
-#include "oracle/contact.h"
-#include "oracle/measure.h"
+#include "case/case_files.h"
+#include "oracle/explain.h"
 
 namespace plumbline {
 namespace {
 
-std::string_view word(std::optional<bool> hit) { return !hit ? "open" : *hit ? "hit" : "miss"; }
+// As a shell reads it as one word.
+std::string shell_word(std::string_view text) {
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./:,+@%=";
+  if (!text.empty() && text.find_first_not_of(plain) == text.npos) return std::string(text);
+  std::string word = "'";
+  for (const char c : text) c == '\'' ? word += R"('\'')" : word += c;
+  return word + "'";
+}
 
-// What the truth has otherwise than `expect` says; empty if nothing.
-std::vector<std::string> differences(const Case& asked) {
-  const Triangle& triangle = asked.bag.triangles.front();
-  const Expectation& expect = *asked.expect;
-  const Truth truth = classify(triangle, asked.ray);
-  std::vector<std::string> found;
-  const auto compare = [&found](std::string_view what, std::string_view expected, std::string_view is) {
-    if (expected != is) found.push_back(fmt::format("expected {} {}, it is {}", what, expected, is));
-  };
-  compare("class", name(expect.hit_class), name(truth.hit_class));
-  if (expect.feature != Feature::none) compare("feature", name(expect.feature), name(truth.feature));
-  if (expect.hit) compare("answer", word(expect.hit), word(hit(triangle, asked.ray, truth)));
-  const auto at = measure<double>(triangle, asked.ray);
-  const auto compare_number = [&](std::string_view what, const std::optional<double>& expected,
-                                  double Coordinates<double>::*is) {
-    if (!expected) return;
-    if (!at) {
-      compare(what, hexfloat(*expected), "undefined");
-    } else if (*expected != (*at).*is) {
-      compare(what, hexfloat(*expected), hexfloat((*at).*is));
-    }
-  };
-  compare_number("t", expect.t, &Coordinates<double>::t);
-  compare_number("u", expect.u, &Coordinates<double>::u);
-  compare_number("v", expect.v, &Coordinates<double>::v);
-  return found;
+std::string explain_command(const ReplayedCase& at, const Tracer* tracer) {
+  const std::string& file = at.file == "-" ? at.file : at.path;
+  std::string command = fmt::format("plumbline explain {} --id {}", shell_word(file), shell_word(at.id));
+  if (tracer) command += " --tracer " + shell_word(asked_for(*tracer));
+  return command;
 }
 
 class Replay {
  public:
   explicit Replay(const std::vector<const Tracer*>& tracers) : tracers_(tracers) {
-    summary_.conduct.resize(tracers.size());
+    for (const Tracer* tracer : tracers) {
+      summary_.tracers.push_back(tracer->info().name);
+      examiners_.emplace_back(*tracer, Measure::wrong_answers);
+    }
   }
 
-  void run(const std::string& file) {
-    const auto cases = read_cases(file);
-    if (cases.empty()) throw InputError(fmt::format("{}: no case in this file", file));
+  void run(const std::string& file, const std::vector<PlacedCase>& cases) {
     ++summary_.files;
-    for (const Case& asked : cases) run(file, asked);
+    const std::string path = file == "-" ? "stdin" : std::filesystem::proximate(file).generic_string();
+    for (const auto& [line, asked] : cases) {
+      summary_.cases.push_back({.file = file, .path = path, .line = line, .id = asked.id});
+      run(asked);
+    }
   }
 
-  ReplaySummary take() { return std::move(summary_); }
+  ReplaySummary take() {
+    for (const Examiner& examiner : examiners_) summary_.conduct.push_back(examiner.conduct());
+    return std::move(summary_);
+  }
 
  private:
-  void run(const std::string& file, const Case& asked) {
-    if (asked.bag.triangles.size() != 1)
-      throw InputError(
-          fmt::format("{}: case '{}' has {} triangles; replay judges one", file, asked.id, asked.bag.triangles.size()));
-    ++summary_.cases;
-    const auto add_event = [&](std::string message) {
-      summary_.events.push_back({file, asked.id, std::move(message)});
-    };
-    if (asked.expect)
-      for (std::string& difference : differences(asked)) add_event(std::move(difference));
-    for (std::size_t i = 0; i < tracers_.size(); ++i) {
-      const std::string message = verdict_on(i, asked);
-      if (!message.empty()) add_event(fmt::format("{}: {}", tracers_[i]->info().name, message));
-    }
+  void run(const Case& asked) {
+    const std::size_t which = summary_.cases.size() - 1;
+    if (asked.expect) summary_.results.push_back(on_expectation(which, asked));
+    for (std::size_t i = 0; i < tracers_.size(); ++i) summary_.results.push_back(on_answer(which, i, asked));
     for (const Known& known : asked.known) {
       const Tracer* const tracer = tracer_named(known.tracer);
       if (!tracer && !absent_tracer_named(known.tracer)) {
@@ -87,41 +69,55 @@ class Replay {
     }
   }
 
-  // What there is to tell; empty if all is as the file says.
-  std::string verdict_on(std::size_t index, const Case& asked) {
+  ReplayResult on_expectation(std::size_t which, const Case& asked) const {
+    ReplayResult result;
+    result.which = which;
+    result.message = expectation_differences(asked);
+    if (result.message.empty()) return result;
+    result.rule = ReplayRule::expectation_differs;
+    result.why =
+        explain(asked.bag.triangles.front(), asked.ray) + explain_command(summary_.cases[which], nullptr) + "\n";
+    return result;
+  }
+
+  ReplayResult on_answer(std::size_t which, std::size_t index, const Case& asked) {
     const Tracer& tracer = *tracers_[index];
-    ++summary_.answers;
-    const Reply reply = ask(tracer, asked);
-    summary_.conduct[index] += reply.conduct;
-    const Judgement judgement = judge(asked, reply, tracer.info().contract);
-    const auto known = std::ranges::find(asked.known, tracer.info().name, &Known::tracer);
-    if (known != asked.known.end()) {
-      if (judgement.verdict == known->kind) {
-        ++summary_.known;
-        return "";
-      }
-      return fmt::format("known as {}, it is now {}; {} the line 'known'", name(known->kind), name(judgement.verdict),
-                         wrong(judgement.verdict) ? "look into it and change" : "remove");
-    }
-    if (judgement.verdict == VerdictKind::fault) ++summary_.faults;
-    if (!wrong(judgement.verdict)) return "";
-    std::string message = fmt::format("new {}", name(judgement.verdict));
-    if (judgement.severity)
-      message += fmt::format(", severity {} ({:.3g} ulps)", shortest_decimal(judgement.severity->length),
-                             judgement.severity->ulps);
-    return message;
+    const Contract& contract = tracer.info().contract;
+    const Case put = put_at(asked, contract.precision);
+    const Examination e = examiners_[index].examine(put.bag, put.ray);
+    ReplayResult result;
+    result.which = which;
+    result.tracer = index;
+    result.verdict = e.verdict;
+    result.known = known_as(asked, tracer.info().name);
+    if (e.wrong()) result.severity = severity(e.triangle, e.query, e.answer.outcome == Outcome::hit, e.precision);
+    if (e.wrong() || e.died) result.signature = to_word(*signature(e, asked.aim ? asked.aim->wish : Wish::none));
+    result.rule = rule_of(e.verdict, result.known);
+    if (!result.rule) return result;
+    result.message =
+        rule_message(e.verdict, result.known, result.severity) + (e.died ? " (it died of this case)" : "");
+    result.why = explain_verdict(e.triangle, e.query, e.answer, contract) +
+                 explain_command(summary_.cases[which], &tracer) + "\n";
+    return result;
   }
 
   const std::vector<const Tracer*>& tracers_;
+  std::vector<Examiner> examiners_;
   ReplaySummary summary_;
 };
 
 }  // namespace
 
+std::size_t ReplaySummary::disagreements() const {
+  return static_cast<std::size_t>(std::ranges::count_if(results, [](const ReplayResult& r) { return disagrees(r); }));
+}
+
 ReplaySummary replay(const std::vector<std::string>& paths, const std::vector<const Tracer*>& tracers) {
-  Replay run(tracers);
+  std::vector<std::pair<std::string, std::vector<PlacedCase>>> files;
   for (const std::string& path : paths)
-    for (const std::string& file : case_files(path)) run.run(file);
+    for (const std::string& file : case_files(path)) files.emplace_back(file, cases_to_judge(file));
+  Replay run(tracers);
+  for (const auto& [file, cases] : files) run.run(file, cases);
   return run.take();
 }
 

@@ -72,13 +72,13 @@ std::unique_ptr<Tracer> make_foreign(const std::string& name, const ForeignOptio
 const Tracer& find_foreign(std::string_view name, const ForeignOptions& options) {
   auto& known = foreign_tracers();
   if (const auto it = known.find(name); it != known.end()) return *it->second;
-  const std::string asked_for(name);
-  auto made = make_foreign(asked_for, options);
+  const std::string asked(name);
+  auto made = make_foreign(asked, options);
   const std::string& own_name = made->info().name;
   if (tracer_named(own_name))
     throw InputError(
         fmt::format("{}: calls itself '{}', as another tracer here does; give it a name of its own", name, own_name));
-  return *known.emplace(asked_for, std::move(made)).first->second;
+  return *known.emplace(asked, std::move(made)).first->second;
 }
 
 }  // namespace
@@ -135,6 +135,12 @@ const std::vector<AbsentTracer>& absent_tracers() {
 const AbsentTracer* absent_tracer_named(std::string_view name) {
   const auto it = std::ranges::find(absent_tracers(), name, &AbsentTracer::name);
   return it == absent_tracers().end() ? nullptr : &*it;
+}
+
+std::string asked_for(const Tracer& tracer) {
+  for (const auto& [name, foreign] : foreign_tracers())
+    if (foreign.get() == &tracer) return name;
+  return tracer.info().name;
 }
 
 std::string suggest_tracer(std::string_view name) {

@@ -34,6 +34,9 @@ const Tracer* tracer_named(std::string_view name);
 /// that it has.
 std::string suggest_tracer(std::string_view name);
 
+/// What --tracer has to say for this one of those: its name, or what a foreign one was asked for.
+std::string asked_for(const Tracer& tracer);
+
 struct ForeignOptions {
   double timeout = 10;  ///< seconds that it may take for a batch of cases
 };

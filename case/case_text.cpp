@@ -196,7 +196,7 @@ class CaseReader {
     comments_.clear();
   }
 
-  std::vector<Case> finish() {
+  std::vector<PlacedCase> finish() {
     finish_case();
     return std::move(cases_);
   }
@@ -215,14 +215,15 @@ class CaseReader {
     if (key == Key::id) {
       finish_case();
       open_ = place;
-      cases_.emplace_back().provenance = std::move(comments_);
+      cases_.push_back({.line = place.line, .what = {}});
+      cases_.back().what.provenance = std::move(comments_);
     } else if (cases_.empty()) {
       fail(place, fmt::format("'{}' before any case; begin with a line 'case ID'", words_of(key)));
     }
     if (!repeatable(key) && seen_[index(key)])
       fail(place, fmt::format("a second '{}' in this case; remove one of them", words_of(key)));
     seen_.set(index(key));
-    read_values(key, words, cases_.back());
+    read_values(key, words, cases_.back().what);
     words.expect_end();
   }
 
@@ -286,7 +287,7 @@ class CaseReader {
 
   void finish_case() {
     if (cases_.empty()) return;
-    const Case& last = cases_.back();
+    const Case& last = cases_.back().what;
     if (!seen_[index(Key::triangle)])
       fail(open_, fmt::format("case '{}' has no triangle; add a line 'triangle' and 9 numbers", last.id));
     if (!seen_[index(Key::ray)])
@@ -308,7 +309,7 @@ class CaseReader {
   std::string_view file_;
   std::size_t line_number_ = 0;
   std::vector<std::string> comments_;  // those directly above the line at hand
-  std::vector<Case> cases_;
+  std::vector<PlacedCase> cases_;
   std::unordered_map<std::string, std::size_t> line_of_;  // by id
   // Of the last case, which is still open:
   Place open_;
@@ -331,9 +332,18 @@ void append_number(std::string& out, std::string_view key, const std::optional<d
   append_numbers(out, {*x});
 }
 
+std::vector<Case> without_places(std::vector<PlacedCase> placed) {
+  std::vector<Case> cases;
+  cases.reserve(placed.size());
+  for (PlacedCase& one : placed) cases.push_back(std::move(one.what));
+  return cases;
+}
+
 }  // namespace
 
-std::vector<Case> read_cases(const std::string& path) {
+std::vector<Case> read_cases(const std::string& path) { return without_places(read_placed_cases(path)); }
+
+std::vector<PlacedCase> read_placed_cases(const std::string& path) {
   InputFile file(path);
   CaseReader reader(file.name());
   for (std::string_view line; file.next_line(line);) reader.add_line(line);
@@ -347,7 +357,7 @@ std::vector<Case> parse_cases(std::string_view text, std::string_view name) {
     reader.add_line(text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
   }
-  return reader.finish();
+  return without_places(reader.finish());
 }
 
 std::string to_text(const Case& what) {

@@ -6,6 +6,7 @@
 // triangle or ray, no number where one belongs, a NaN, a value that is not binary32 in a case that claims to be, a plate
 // without thickness, a thickness without plate. A byte order mark is skipped.
 #pragma once
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,14 @@ namespace plumbline {
 
 /// "-" reads standard input.
 std::vector<Case> read_cases(const std::string& path);
+
+struct PlacedCase {
+  std::size_t line = 0;  ///< of its line `case`, from 1
+  Case what;
+};
+
+/// The same, for those who tell where a case is.
+std::vector<PlacedCase> read_placed_cases(const std::string& path);
 
 /// `name` stands for the file in messages.
 std::vector<Case> parse_cases(std::string_view text, std::string_view name);

@@ -2,6 +2,7 @@
 
 #include "case/float_bits.h"
 #include "case/real_text.h"
+#include "case/utf8.h"
 
 namespace plumbline {
 
@@ -37,6 +38,8 @@ std::string& JsonObject::member(std::string_view key) {
   return out_;
 }
 
+void JsonObject::end() { out_ += '}'; }
+
 void JsonObject::end_line() { out_ += "}\n"; }
 
 void append_json_number(std::string& out, double x) {
@@ -48,7 +51,7 @@ void append_json_number(std::string& out, double x) {
 
 void append_json_string(std::string& out, std::string_view text) {
   out += '"';
-  for (const char c : text) {
+  for (const char c : as_utf8(text)) {
     switch (c) {
       case '"':
         out += "\\\"";

@@ -17,6 +17,7 @@ class JsonObject {
   void text(std::string_view key, std::optional<std::string_view> x);
   /// For any other value: append its JSON to what is returned.
   std::string& member(std::string_view key);
+  void end();
   /// Ends the object, and the line.
   void end_line();
 
@@ -28,7 +29,7 @@ class JsonObject {
 /// Appends a number, or the string that stands for it.
 void append_json_number(std::string& out, double x);
 
-/// Appends a string in quotes, escaped.
+/// Appends a string in quotes, escaped; what is no UTF-8 in it becomes U+FFFD.
 void append_json_string(std::string& out, std::string_view text);
 
 }  // namespace plumbline

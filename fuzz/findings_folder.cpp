@@ -9,7 +9,7 @@
 #include <iterator>
 #include <tuple>
 
-#include "analysis/case_files.h"
+#include "case/case_files.h"
 #include "case/case_json.h"
 #include "case/case_text.h"
 #include "case/input_error.h"

@@ -10,7 +10,7 @@
 #include <optional>
 #include <random>
 
-#include "analysis/case_files.h"
+#include "case/case_files.h"
 #include "analysis/tracers.h"
 #include "case/case_text.h"
 #include "case/enum_names.h"

@@ -201,5 +201,21 @@ TEST(Examine, ARealKernel) {
   EXPECT_NE(e.rejection, Rejection::none);
 }
 
+TEST(Examine, ABagComesToTheTracerWhole) {
+  struct HitsPlates final : Tracer {
+    HitsPlates() : Tracer({.name = "plates", .summary = "", .source = "", .contract = {}}) {}
+    std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override {
+      return (bag.mode == BagMode::plate && bag.thickness == 0.5 ? hits : misses).prepare(bag);
+    }
+    FixedTracer hits{{a_hit}}, misses{{a_miss}};
+  };
+  const HitsPlates tracer;
+  Examiner examiner(tracer);
+  const Examination e = examiner.examine({.triangles = {flat}, .mode = BagMode::plate, .thickness = 0.5}, down(1, 2));
+  EXPECT_EQ(e.verdict, VerdictKind::correct);
+  EXPECT_EQ(e.triangle, flat);
+  EXPECT_EQ(examiner.examine(flat, down(1, 2)).verdict, VerdictKind::false_miss);
+}
+
 }  // namespace
 }  // namespace plumbline

@@ -242,8 +242,8 @@ class Replay(CliTest):
         result = self.replay(self.CASE + "expect vertex a miss t 2\n", "--tracer", "exact")
         self.assertEqual(result.returncode, 1)
         self.assertEqual([line.split(": ", 1)[1] for line in result.stdout.splitlines()],
-                         ["x: expected class vertex, it is interior", "x: expected feature a, it is none",
-                          "x: expected answer miss, it is hit", "x: expected t 0x1p+1, it is 0x1p+0"])
+                         ["x: expected class vertex, it is interior; expected feature a, it is none; "
+                          "expected answer miss, it is hit; expected t 0x1p+1, it is 0x1p+0"])
 
     def test_new_and_gone_findings(self):
         hard = (CORPUS / "hard" / "brlcad.case").read_text()

@@ -12,6 +12,7 @@ MAY_INCLUDE = {
     "analysis": {"case", "oracle", "float_tracer", "analysis"},
     "fuzz": {"case", "oracle", "float_tracer", "analysis", "fuzz"},
     "cli": {"case", "oracle", "float_tracer", "analysis", "fuzz", "cli"},
+    "install": {"case", "oracle"},
 }
 # Libraries that these folders alone may name: what is exact stays in the oracle and in what it is compared with, what
 # parses stays at the border.
@@ -31,6 +32,7 @@ ONLY_IN = {
     r"CGAL/AABB_.*": {"float_tracer/gpl"},
     r"CGAL/.*": {"float_tracer/adapters", "float_tracer/gpl", "analysis/bench/rivals"},
     r"boost/.*": {"analysis/bench/rivals"},
+    r"g(test|mock)/.*": {"install"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
 

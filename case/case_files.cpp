@@ -1,4 +1,4 @@
-#include "analysis/case_files.h"
+#include "case/case_files.h"
 
 #include <fmt/format.h>
 
@@ -19,6 +19,16 @@ std::vector<std::string> case_files(const std::string& path) {
   if (files.empty()) throw InputError(fmt::format("{}: no *.case file in this folder", path));
   std::ranges::sort(files);
   return files;
+}
+
+std::vector<PlacedCase> cases_to_judge(const std::string& file) {
+  auto cases = read_placed_cases(file);
+  if (cases.empty()) throw InputError(fmt::format("{}: no case in this file", file));
+  for (const PlacedCase& one : cases)
+    if (const auto triangles = one.what.bag.triangles.size(); triangles != 1)
+      throw InputError(
+          fmt::format("{}: case '{}' has {} triangles; a verdict is on one", file, one.what.id, triangles));
+  return cases;
 }
 
 }  // namespace plumbline

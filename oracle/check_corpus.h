@@ -1,0 +1,25 @@
+// .case files against a function of one's own, in one's own process: for unit tests. `plumbline replay` is the same
+// for tracers that are plugged in.
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "case/contract.h"
+#include "case/geometry.h"
+
+namespace plumbline {
+
+/// What is under test.
+struct CorpusTracer {
+  std::string name;        ///< as lines `known` call it
+  Contract contract = {};  ///< what it promises; where that is binary32, it is given numbers of binary32 only
+  std::function<std::optional<bool>(const Triangle&, const Ray&)> hits;  ///< no value: a fault
+};
+
+/// A line "file:line: id: what" for everything that is not as the files say, followed by the reason; empty: all is.
+/// `path` is a file, or a folder, searched for *.case at any depth. Throws InputError where there is no case, a file
+/// can't be read, or a case has other than one triangle.
+std::string check_corpus(const std::string& path, const CorpusTracer& tracer);
+
+}  // namespace plumbline
