@@ -38,11 +38,11 @@ std::string exact_fraction(double x) {
 
 std::string number_cell(std::string_view text) { return fmt::format("<td class=\"n\">{}", escaped(text)); }
 
-std::string table(std::string_view label, std::string_view head, std::string_view rows) {
+std::string table(std::string_view label, std::string_view head, std::string_view rows, std::string_view style = "scroll") {
   return fmt::format(
-      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table><thead><tr>{}</tr></thead><tbody>{}"
+      "<div class=\"{}\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table><thead><tr>{}</tr></thead><tbody>{}"
       "</tbody></table></div>",
-      escaped(label), head, rows);
+      style, escaped(label), head, rows);
 }
 
 std::string copied(std::string_view label, std::string_view id, std::string_view text) {
@@ -92,8 +92,9 @@ std::string proof(const Look& l) {
                      row("w<sub>CA</sub>", c.w_ca, of_side(c.w_ca)) +
                      row("det", c.det, det == 0 ? "the line is parallel to the plane" : det < 0 ? "it comes from the front" : "it comes from the back") +
                      row("T", c.T, det == 0 ? (c.T.sign == 0 ? "the origin is in the plane" : "the origin is off the plane") : "t = T/det: " + c.range);
-  return table("The proof", "<th>exact number<th>sign<th>meaning<th>value", rows) +
-         fmt::format("<p>{}{}.</p>", escaped(c.where),
+  return table("The proof", "<th><th>sign<th>meaning<th>exact value", rows) +
+         fmt::format("<p class=\"note\">A hit: all three w have the sign of det, or are 0 on the edge itself, and T/det lies in the range.</p>"
+                     "<p>Here {}{}.</p>", escaped(c.where),
                      !c.hit ? "; whether a contact without a crossing is a hit is a matter of convention"
                      : *c.hit ? "; within the range of t, so it is a hit"
                               : ", and so it is a miss");
@@ -125,7 +126,7 @@ std::string said(const FindingRow& row, const Look& l) {
     if (!given && !exact) return;
     const double off = given && exact && l.margins ? std::abs(value - exact->binary64) * scale / l.margins->ulp : 0;
     rows += fmt::format("<tr><th scope=\"row\">{}<td class=\"n\">{}<td class=\"n\">{}<td>{}</tr>", name, given ? both(value) : "",
-                        exact ? both(exact->binary64) : "", given && exact && l.margins ? "off by " + in_ulps(off) : "");
+                        exact ? both(exact->binary64) : "", !given || !exact || !l.margins ? "" : is_finite(value) ? "off by " + in_ulps(off) : "not finite");
   };
   const Answer none;
   const Answer& a = answered ? *l.answer : none;
@@ -134,7 +135,7 @@ std::string said(const FindingRow& row, const Look& l) {
   number("u (of B)", a.has_uv, a.u, c.u, m.u_scale);
   number("v (of C)", a.has_uv, a.v, c.v, m.v_scale);
   std::string text = table("What the tracer says and what is true",
-                           fmt::format("<th><th>{} says<th>the truth, rounded<th>", escaped(row.tracer)), rows);
+                           fmt::format("<th><th>{} says<th>the truth, rounded<th>by its promises", escaped(row.tracer)), rows);
   if (answered && !l.signature) text += "<p><strong>This build gets it right.</strong></p>";
   if (l.own_query)
     text += "<p>The tracer’s interface can’t hold this ray: what it was really asked is a ray nearby, and it is judged on "
@@ -156,9 +157,26 @@ std::string conditions(const Look& l) {
          "</details>";
 }
 
-std::string figure(const Picture& picture) {
-  if (picture.svg.empty()) return "";
-  return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>", picture.svg, escaped(picture.caption));
+std::string figures(const FindingRow& row, const Look& l) {
+  std::string text;
+  const auto add = [&text](std::string_view title, const Picture& picture) {
+    if (picture.svg.empty()) return;
+    text += fmt::format("<figure>{}<figcaption><strong>{}</strong> {}</figcaption></figure>", picture.svg, title, escaped(picture.caption));
+  };
+  add("The disagreement.", disagreement(row, l));
+  add("The whole.", whole_triangle(row, l));
+  return text.empty() ? "" : "<div class=\"figures\">" + text + "</div>";
+}
+
+// What the finding comes to, by its worst case.
+std::string in_short(const FindingRow& row, const Look& worst) {
+  if (row.kind == FindingKind::not_finite || row.kind == FindingKind::death) return "";
+  if (worst.ulps == 0) return "It is wrong by its own promise alone: there is no distance to measure.";
+  const std::string_view what = row.kind == FindingKind::displaced
+                                    ? row.element == Element::plane ? "The point that it answers is off the plane by"
+                                                                    : "Measured towards the edges, the point that it answers is off by"
+                                    : "For the answer to be true the ray would have to move by";
+  return fmt::format("{} <strong>{}</strong>: {}.", what, in_ulps(worst.ulps), how_bad(worst.ulps, worst.longest_edge_ulps));
 }
 
 std::string neighbours(const Look& l) {
@@ -175,12 +193,7 @@ std::string neighbours(const Look& l) {
 std::string panel(std::string_view title, const FindingRow& row, const FoundCase& found, const Look& l) {
   std::string text = fmt::format("<section class=\"case\"><h2>{}</h2><p class=\"size\">{} significant bits in all its numbers; {}</p>",
                                  title, found.bits, in_ulps(l.ulps));
-  text += figure(disagreement(row, l)) + figure(whole_triangle(row, l));
-  const bool measured = row.kind != FindingKind::not_finite && row.kind != FindingKind::death;
-  if (measured && l.ulps > 0)
-    text += fmt::format("<p><strong>{}</strong>: {}.{}</p>", in_ulps(l.ulps), how_bad(l.ulps, l.longest_edge_ulps),
-                        row.kind == FindingKind::displaced ? "" : " So far the ray would have to move for the answer to be true.");
-  if (measured && l.ulps == 0) text += "<p>" + how_bad(0, 0) + "</p>";
+  text += figures(row, l);
   text += "<h3>Said and true</h3>" + said(row, l) + "<h3>Proof</h3>" + proof(l) + neighbours(l) + conditions(l) + coordinates(l);
   std::string provenance;
   for (const std::string& line : found.what.provenance) provenance += "<li>" + escaped(line) + "</li>";
@@ -218,10 +231,11 @@ std::string matrix(const FindingRow& row, const std::vector<const FoundCase*>& c
     head += "<th>" + titles[k];
     sums += fmt::format("{}{} of {} on the {}", k > 0 ? ", " : "", wrong_ones, columns[k].size(), titles[k]);
   }
-  std::string self;
+  std::string self, first;  // then the others that are wrong
   for (std::size_t i = 0; i < options.tracers.size(); ++i) {
     const TracerInfo& info = options.tracers[i]->info();
-    std::string& into = info.name == row.tracer ? self : rows;
+    const bool any_wrong = std::ranges::any_of(columns, [i](const auto& column) { return wrong(column[i].verdict); });
+    std::string& into = info.name == row.tracer ? self : any_wrong ? first : rows;
     into += fmt::format("<tr{}><th scope=\"row\">{}<td>{}", info.name == row.tracer ? " class=\"self\"" : "", escaped(info.name),
                         name(info.contract.precision));
     for (const auto& column : columns) into += opinion(column[i]);
@@ -231,7 +245,7 @@ std::string matrix(const FindingRow& row, const std::vector<const FoundCase*>& c
       "<section><h2>What other tracers say</h2><p>Wrong are {}. Each is judged by its own promises.</p>{}"
       "<p class=\"note\"><sup>r</sup> the case was rounded to the tracer’s precision first, and is another one. <sup>q</sup> the tracer’s "
       "interface can’t hold the ray: it was asked one nearby, and is judged on that.</p></section>",
-      sums, table("Tracers", head, self + rows));
+      sums, table("Tracers", head, self + first + rows, "scroll tall"));
 }
 
 constexpr std::array<const char*, repro_form_names.size()> repro_titles = {
@@ -350,9 +364,10 @@ FindingFiles finding_files(std::span<const FindingRow* const> ranks, std::size_t
   }
   const std::string file = page_name(row.id, "case"), who = shell_word(row.tracer);
   FindingFiles files;
-  std::string panels, commands;
+  std::string panels, commands, lead;
   for (std::size_t k = 0; k < cases.size(); ++k) {
     const Look l = look(*cases[k], row.kind, tracer);
+    lead = in_short(row, l);  // the worst comes last
     panels += panel("The " + titles[k], row, *cases[k], l);
     commands += copied(fmt::format("Explain the {}, no file needed", titles[k]), "explain-" + ids[k], explain_command(l, row.tracer));
     files.cases += (k > 0 ? "\n" : "") + case_text(row, *cases[k], fmt::format("finding-{}-{}", row.id, ids[k]));
@@ -363,7 +378,7 @@ FindingFiles finding_files(std::span<const FindingRow* const> ranks, std::size_t
   const std::string body =
       fmt::format("<nav class=\"pages\" aria-label=\"Findings\">{}</nav><main id=\"main\"><p class=\"kicker\">Finding {}{}</p><h1><code>{}</code> {}</h1>",
                   navigation(ranks, rank), row.id, row.is_new ? " · new" : "", escaped(row.tracer), escaped(wrong)) +
-      facts(row, tracer) + "<div class=\"cases\">" + panels + "</div>" + matrix(row, cases, titles, options) +
+      (lead.empty() ? "" : "<p class=\"lead\">" + lead + "</p>") + facts(row, tracer) + "<div class=\"cases\">" + panels + "</div>" + matrix(row, cases, titles, options) +
       "<section><h2>To reproduce it</h2>" + commands +
       copied(fmt::format("The cases as text, also in {}", file), "case-text", files.cases) + repros(row, options) + "</section>" +
       related(ranks, row) + "</main>";

@@ -129,13 +129,15 @@ function showMore(focus) {
   document.getElementById("more").hidden = shown >= found.length;
   document.getElementById("shown").textContent =
     found.length === 0 ? (data.rows === 0 ? "Nothing was found." : "None of the findings is like that.")
-      : `${shown < found.length ? `The first ${shown} of ` : ""}${found.length} of ${data.rows} findings`;
+      : `${found.length < data.rows ? `${found.length} of ` : ""}${data.rows} findings${
+        shown < found.length ? `; the first ${shown} are shown` : ""}`;
   if (focus) (body.children[from]?.querySelector("a") ?? body.parentElement.parentElement).focus();
 }
 
 function showHeader() {
   const cells = shownColumns.map(({ name, title, number, help }) => {
     const sorted = asked.sort === name;
+    const down = (asked.down !== "") !== (name === "rank");  // the first rank is the greatest severity
     const button = element("button", { type: "button", title: help ?? null, id: `sort-${name}` }, title);
     button.addEventListener("click", () => {
       asked.down = sorted && !asked.down ? "1" : "";
@@ -144,7 +146,7 @@ function showHeader() {
       document.getElementById(`sort-${name}`).focus();
     });
     return element("th", {
-      scope: "col", class: number ? "n" : null, "aria-sort": sorted ? (asked.down ? "descending" : "ascending") : null,
+      scope: "col", class: number ? "n" : null, "aria-sort": sorted ? (down ? "descending" : "ascending") : null,
     }, button);
   });
   document.querySelector("#list thead tr").replaceChildren(...cells);

@@ -181,7 +181,7 @@ std::string searches_of(std::span<const SearchRow> searches) {
       "nominal severity<th class=\"n\">Nearest to another answer<th class=\"n\">Signatures</tr></thead><tbody>",
       newest.size() <= 8 ? " open" : "");
   for (const SearchRow* const s : std::span(newest).first(std::min(most, newest.size())))
-    text += fmt::format("<tr><td>{}<td>{}<td>{}<td class=\"n\">{}<td class=\"n\">{}<td class=\"n\">{}<td class=\"n\">{}</tr>",
+    text += fmt::format("<tr><td>{}<td class=\"words\">{}<td class=\"one-line\">{}<td class=\"n\">{}<td class=\"n\">{}<td class=\"n\">{}<td class=\"n\">{}</tr>",
                         escaped(s->tracer), escaped(s->source), escaped(s->ended), thousands(s->executions),
                         worst_words(s->worst_nominal_ulps), s->least_margin_ulps > 0 ? in_ulps(s->least_margin_ulps) : "",
                         thousands(s->signatures));

@@ -174,6 +174,12 @@ std::optional<Point2> answered_point(const Look& look, Point2 ab, Point2 ca) {
   return p;
 }
 
+// What a view doesn't show of the distance.
+std::string beyond(const FindingRow& row, const Look& look, double seen) {
+  if (row.kind != FindingKind::false_hit || look.ulps <= 1.01 * seen) return "";
+  return fmt::format(" In all, its range included, it is {} away from the triangle.", in_ulps(look.ulps));
+}
+
 Picture from_along_the_ray(const FindingRow& row, const Look& look) {
   if (!look.margins) return {};
   const auto s = sides(look, base_edge(row.element, *look.margins));
@@ -186,7 +192,8 @@ Picture from_along_the_ray(const FindingRow& row, const Look& look) {
   const double half_height = distance > 0 ? 2.2 * distance : 4, half_width = half_height * width / height;
   Drawing d({width / 2, height / 2}, width / 2 / half_width);
   const auto frame = window(half_width, half_height);
-  if (half_height <= 12) {
+  const bool grid = half_height >= 2 && half_height <= 12;
+  if (grid) {
     for (double k = -std::floor(half_width); k <= half_width; ++k) d.line({k, -half_height}, {k, half_height}, "grid");
     for (double k = -std::floor(half_height); k <= half_height; ++k) d.line({-half_width, k}, {half_width, k}, "grid");
   }
@@ -202,28 +209,33 @@ Picture from_along_the_ray(const FindingRow& row, const Look& look) {
     const auto part = border_within(s->side[k], within);
     if (part.empty()) continue;
     d.line(part[0], part[1], "edge");
-    const Point2 label = 0.8 * part[1] + 0.2 * part[0];
-    d.text(label, 0, s->side[k].inward.y > 0 ? 18 : -8, fmt::format("edge {}", edge_names[k]));
+    const Point2 far = length(part[0]) > length(part[1]) ? part[0] : part[1], near = length(part[0]) > length(part[1]) ? part[1] : part[0];
+    d.text(0.75 * far + 0.25 * near, -18 * s->side[k].inward.x, s->side[k].inward.y > 0 ? 20 : -8,
+           fmt::format("edge {}", edge_names[k]));
   }
   for (unsigned k = 0; k < 3; ++k)
     if (std::abs(s->corner[k].x) < half_width && std::abs(s->corner[k].y) < half_height)
-      d.text(s->corner[k], 0, s->corner[k].y > 0 ? -8 : 18, corner_names[k], "corner");
+      d.text(s->corner[k], s->corner[k].x > 0 ? 12 : -12, s->corner[k].y > 0 ? -8 : 18, corner_names[k], "corner");
   if (!inner.empty()) {
     Point2 middle;
     for (const Point2 p : inner) middle = middle + 1.0 / static_cast<double>(inner.size()) * p;
-    d.text(middle, 0, middle.y > 0 ? -10 : 14, "inside", "area");
+    const bool room = std::ranges::all_of(s->side, [&](const HalfPlane& h) { return h.over(middle) > 0.12 * half_height; });
+    if (room && length(middle) > 0.2 * half_height) d.text(middle, 0, 5, "inside", "area");
   }
   const Point2 aim = answered ? *answered : target;
   if (distance > 0) {
     d.line({0, 0}, aim, "gap");
-    d.text(0.5 * aim, aim.x < 0 ? -46 : 46, 5, in_ulps(distance), "measure");
+    if (std::abs(aim.y) > 0.4 * std::abs(aim.x))
+      d.text(0.5 * aim, aim.x < 0 ? -46 : 46, 5, in_ulps(distance), "measure");
+    else
+      d.text(0.5 * aim, 0, aim.y > 0 ? 24 : -14, in_ulps(distance), "measure");
   }
   if (answered) {
     d.cross(*answered, "answered");
     d.text(*answered, 0, answered->y > 0 ? -12 : 20, "the tracer's point");
   }
   d.dot({0, 0}, "ray");
-  d.text({0, 0}, 0, aim.y > 0 ? 22 : -12, "the ray");
+  d.text({0, 0}, std::abs(aim.y) > 0.4 * std::abs(aim.x) ? 0 : aim.x > 0 ? -34 : 34, aim.y > 0 ? 22 : -12, "the ray");
   d.scale_bar(in_ulps);
   const double magnified = look.longest_edge_ulps / half_width;
   std::string caption = "Seen along the ray, which is the dot";
@@ -235,7 +247,8 @@ Picture from_along_the_ray(const FindingRow& row, const Look& look) {
     caption += fmt::format(". It passes {} {} the triangle.", in_ulps(distance), part);
   else
     caption += ". It meets the border exactly.";
-  if (half_height <= 12) caption += " The grid is one ulp wide.";
+  caption += beyond(row, look, distance);
+  if (grid) caption += " The grid is one ulp wide.";
   return {d.take("The disagreement, seen along the ray"), caption};
 }
 
@@ -260,7 +273,8 @@ Picture from_the_side(const FindingRow& row, const Look& look) {
   Drawing d({width / 2, height / 2}, width / 2 / half_width);
   d.line({-half_width, 0}, {half_width, 0}, "edge");
   d.text({half_width, 0}, -60, -8, "the triangle");
-  const double slope = det == 0 ? 0 : std::clamp(std::tan(std::asin(std::min(1.0, look.margins->sine))), 0.4, 3.0);
+  const double true_slope = std::tan(std::asin(std::min(1.0, look.margins->sine)));
+  const double slope = det == 0 ? 0 : std::clamp(true_slope, 0.4, 3.0);
   const auto on_ray = [&](double y) { return Point2{det == 0 ? 0 : -y / slope, y}; };
   const Point2 point = det == 0 ? Point2{-half_width / 2, h} : on_ray(h);
   const bool is_end = row.element == Element::t_max, is_start = row.element == Element::t_min;
@@ -281,6 +295,7 @@ Picture from_the_side(const FindingRow& row, const Look& look) {
          displaced ? "the tracer's point" : is_start ? "the ray starts here" : is_end ? "the ray ends here" : "the ray");
   d.scale_bar(in_ulps);
   std::string caption = "Seen from the side, the triangle's plane edge-on, the ray going down; heights are to scale";
+  if (det != 0 && slope != true_slope) caption += ", the angle is not";
   if (displaced)
     caption += fmt::format(". By its t the answer's point is {} off the plane.", in_ulps(std::abs(h)));
   else if (is_start || is_end)
@@ -288,6 +303,7 @@ Picture from_the_side(const FindingRow& row, const Look& look) {
                            h > 0 ? "before" : "behind");
   else
     caption += fmt::format(". The ray runs beside the plane, {} away.", in_ulps(std::abs(h)));
+  caption += beyond(row, look, std::abs(h));
   return {d.take("The disagreement, seen from the side"), caption};
 }
 

@@ -45,6 +45,9 @@ std::string what_is_wrong(const FindingRow& row) {
         case Element::t_min: return "calls this a hit; the triangle lies before the start of the ray's range";
         case Element::t_max: return "calls this a hit; the triangle lies behind the end of the ray's range";
         case Element::none: return "calls this a hit; the ray misses the triangle";
+        case Element::a:
+        case Element::b:
+        case Element::c: return fmt::format("calls this a hit; the ray passes by {}, outside", part);
         default: return fmt::format("calls this a hit; the ray passes outside {}", part);
       }
     case FindingKind::false_miss:
@@ -53,6 +56,9 @@ std::string what_is_wrong(const FindingRow& row) {
         case Element::t_min:
         case Element::t_max: return fmt::format("misses this; the ray meets the triangle, close to {}", part);
         case Element::none: return "misses this; the ray meets the triangle";
+        case Element::a:
+        case Element::b:
+        case Element::c: return fmt::format("misses this; the ray meets the triangle at {}", part);
         default: return fmt::format("misses this; the ray passes inside {}", part);
       }
     case FindingKind::displaced:
@@ -65,7 +71,6 @@ std::string what_is_wrong(const FindingRow& row) {
 }
 
 std::string how_bad(double ulps, double longest_edge_ulps) {
-  if (ulps == 0) return "It is wrong by its own promise alone: there is no distance to measure.";
   const double part = ulps / longest_edge_ulps;
   std::string text = ulps < 1    ? "less than the rounding of one coordinate"
                      : ulps < 16 ? "as much as the rounding of a few coordinates"
