@@ -295,12 +295,23 @@ std::string explain_command(const Look& l, std::string_view tracer) {
 
 std::string when(const std::string& utc) { return utc.empty() ? "unknown" : escaped(utc); }
 
-std::string facts(const FindingRow& row, const Tracer* tracer) {
+std::string link(const FindingRow& row, std::string_view words) {
+  return fmt::format("<a href=\"{}\">{}</a>", page_name(row.id, "html"), words);
+}
+
+std::string status(std::span<const FindingRow* const> ranks, const FindingRow& row) {
+  if (row.status != FindingStatus::duplicate) return std::string(name(row.status));
+  const auto of = std::ranges::find(ranks, row.duplicate_of, [](const FindingRow* r) { return r->id; });
+  const std::string number = std::to_string(row.duplicate_of);
+  return "duplicate of " + (of == ranks.end() ? number : link(**of, number));
+}
+
+std::string facts(std::span<const FindingRow* const> ranks, const FindingRow& row, const Tracer* tracer) {
   std::string text = "<dl class=\"facts\">";
   const auto fact = [&text](std::string_view name, std::string_view html) {
     text += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", name, html);
   };
-  fact("Status", row.status == FindingStatus::duplicate ? fmt::format("duplicate of {}", row.duplicate_of) : std::string(name(row.status)));
+  fact("Status", status(ranks, row));
   fact("Kind", name(row.kind));
   fact("Where", part_name(row.element));
   fact("Condition", name(row.conditioning));
@@ -321,10 +332,6 @@ std::string facts(const FindingRow& row, const Tracer* tracer) {
   for (const std::string& build : row.builds) builds += (builds.empty() ? "" : "<br>") + escaped(build);
   if (!builds.empty()) fact("Builds", builds);
   return text + "</dl>";
-}
-
-std::string link(const FindingRow& row, std::string_view words) {
-  return fmt::format("<a href=\"{}\">{}</a>", page_name(row.id, "html"), words);
 }
 
 std::string related(std::span<const FindingRow* const> ranks, const FindingRow& row) {
@@ -378,7 +385,7 @@ FindingFiles finding_files(std::span<const FindingRow* const> ranks, std::size_t
   const std::string body =
       fmt::format("<nav class=\"pages\" aria-label=\"Findings\">{}</nav><main id=\"main\"><p class=\"kicker\">Finding {}{}</p><h1><code>{}</code> {}</h1>",
                   navigation(ranks, rank), row.id, row.is_new ? " · new" : "", escaped(row.tracer), escaped(wrong)) +
-      (lead.empty() ? "" : "<p class=\"lead\">" + lead + "</p>") + facts(row, tracer) + "<div class=\"cases\">" + panels + "</div>" + matrix(row, cases, titles, options) +
+      (lead.empty() ? "" : "<p class=\"lead\">" + lead + "</p>") + facts(ranks, row, tracer) + "<div class=\"cases\">" + panels + "</div>" + matrix(row, cases, titles, options) +
       "<section><h2>To reproduce it</h2>" + commands +
       copied(fmt::format("The cases as text, also in {}", file), "case-text", files.cases) + repros(row, options) + "</section>" +
       related(ranks, row) + "</main>";

@@ -3,7 +3,7 @@
 "use strict";
 
 const data = JSON.parse(document.getElementById("data").textContent);
-const chunk = 500;
+const chunk = 200;
 
 // A column of numbers to base 36, each of the same width (list_page.cpp).
 function column({ width, digits }) {
@@ -155,14 +155,16 @@ function showHeader() {
 const limits = [1, 16, 1024, 2 ** 20];  // ulps, between the shades of the map
 function shade(ulps) { return limits.filter((l) => ulps >= l).length; }
 
+// Of each tracer and condition, by one number for both: how many there are, and the worst.
+const counts = new Map(), worst = new Map();
+for (let i = 0; i < data.rows; ++i) {
+  const key = columns.tracer[i] * data.conditionings.length + columns.conditioning[i];
+  counts.set(key, (counts.get(key) ?? 0) + 1);
+  worst.set(key, Math.max(worst.get(key) ?? 0, severity(columns.worst[i])));
+}
+
 function showMap() {
   if (data.rows === 0) return;
-  const counts = new Map(), worst = new Map();
-  for (let i = 0; i < data.rows; ++i) {
-    const key = columns.tracer[i] * data.conditionings.length + columns.conditioning[i];
-    counts.set(key, (counts.get(key) ?? 0) + 1);
-    worst.set(key, Math.max(worst.get(key) ?? 0, severity(columns.worst[i])));
-  }
   const head = element("tr", {}, element("th", { scope: "col" }, "Tracer"),
                        ...data.conditionings.map((c) => element("th", { scope: "col" }, c)));
   const places = alphabetical(data.tracers);
@@ -220,8 +222,11 @@ fill("kind", data.kinds);
 fill("conditioning", data.conditionings);
 fill("status", data.statuses);
 for (const key of ["text", "tracer", "kind", "conditioning", "status"])
-  document.getElementById(key).addEventListener("input", (event) => { asked[key] = event.target.value; show(); });
-document.getElementById("fresh").addEventListener("input", (event) => { asked.fresh = event.target.checked ? "1" : ""; show(); });
+  document.getElementById(key).addEventListener(key === "text" ? "input" : "change", (event) => {
+    asked[key] = event.target.value;
+    show();
+  });
+document.getElementById("fresh").addEventListener("change", (event) => { asked.fresh = event.target.checked ? "1" : ""; show(); });
 document.getElementById("filters").addEventListener("submit", (event) => event.preventDefault());
 document.getElementById("filters").addEventListener("reset", (event) => {
   event.preventDefault();

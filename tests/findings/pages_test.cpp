@@ -264,6 +264,14 @@ TEST(FindingPage, SaysWhatItCannotKnow) {
   EXPECT_THAT(page_of(row, a_miss), HasSubstr("This build gets it right."));
 }
 
+TEST(FindingPage, LinksWhatItIsADuplicateOf) {
+  FindingRow row = sample_row(1, "t");
+  row.status = FindingStatus::duplicate;
+  row.duplicate_of = 2;
+  EXPECT_THAT(pages_of({row, sample_row(2, "t")})["finding-1.html"], HasSubstr("duplicate of <a href=\"finding-2.html\">2</a>"));
+  EXPECT_THAT(pages_of({row})["finding-1.html"], HasSubstr("<dd>duplicate of 2</dd>"));
+}
+
 TEST(FindingPage, HasTheReprosThatThereAre) {
   PageOptions options;
   options.repro = [](const Case& what, ReproForm form, std::string_view tracer) -> std::optional<std::string> {

@@ -9,8 +9,8 @@ import sys
 import tempfile
 import unittest
 
-SAMPLE, PROGRAM = sys.argv.pop(), sys.argv.pop()
-ROWS = 3000
+SAMPLE, PROGRAM = os.path.abspath(sys.argv.pop()), os.path.abspath(sys.argv.pop())
+ROWS = 700
 TRACERS = ("woop_watertight_f32", "moller_trumbore_f64")
 
 try:
@@ -49,7 +49,7 @@ def setUpModule():
     for tracer in TRACERS:
         campaigns.append(folder / tracer)
         subprocess.run([PROGRAM, "fuzz", "--tracer", tracer, "--runs", "5000", "-o", campaigns[-1]], check=True, capture_output=True)
-    subprocess.run([PROGRAM, "triage", "html", *campaigns, "-o", found, "--pages", "20"], check=True, capture_output=True)
+    subprocess.run([PROGRAM, "triage", "html", *campaigns, "-o", found, "--pages", "8"], check=True, capture_output=True)
     subprocess.run([SAMPLE, sample, str(ROWS)], check=True)
     browser = start_browser(folder / "profile")
 
@@ -106,11 +106,15 @@ class List(PagesTest):
     def test_shows_the_first_rows_and_more(self):
         self.open(sample)
         total = ROWS + 9  # hostile names
-        self.assertEqual(self.shown(), f"{total} findings; the first 500 are shown")
-        self.assertEqual(len(self.texts("#list tbody tr")), 500)
+        self.assertEqual(self.shown(), f"{total} findings; the first 200 are shown")
+        self.assertEqual(len(self.texts("#list tbody tr")), 200)
         self.one("#more").click()
-        self.assertEqual(len(self.texts("#list tbody tr")), 1000)
-        self.assertEqual(self.shown(), f"{total} findings; the first 1000 are shown")
+        self.assertEqual(self.shown(), f"{total} findings; the first 400 are shown")
+        for _ in range(2):
+            self.one("#more").click()
+        self.assertEqual(len(self.texts("#list tbody tr")), total)
+        self.assertEqual(self.shown(), f"{total} findings")
+        self.assertFalse(self.one("#more").is_displayed())
         self.assertEqual(len(self.texts("#list tbody a")), 9 + 3)  # these alone have pages
 
     def test_filters(self):
@@ -126,7 +130,7 @@ class List(PagesTest):
         Select(self.one("#status")).select_by_visible_text("wontfix")
         self.assertLessEqual(set(self.column("Status")), {"wontfix"})
         self.one("#reset").click()
-        self.assertEqual((self.asked(), self.shown()[:4]), ("", str(ROWS + 9)))
+        self.assertEqual((self.asked(), self.shown().split()[0]), ("", str(ROWS + 9)))
         self.one("#fresh").click()
         self.assertTrue(all(cell.endswith(" new") for cell in self.column("Tracer")))
         self.one("#fresh").click()
@@ -140,7 +144,7 @@ class List(PagesTest):
         self.assertEqual(self.shown(), "None of the findings is like that.")
 
     def test_sorts_by_any_column_and_back(self):
-        self.open(sample)
+        self.open(sample, asked="#kind=displaced")
         first = self.column("No.")
         for title, key in (("Tracer", lambda cell: cell.removesuffix(" new")), ("Seen", int), ("Simplest, bits", int),
                            ("First seen", str), ("No.", int)):
@@ -156,7 +160,7 @@ class List(PagesTest):
                 browser.switch_to.active_element.send_keys(Keys.ENTER)  # the keyboard stays where it was
                 cells = [key(cell) for cell in self.column(title)]
                 self.assertEqual(cells, sorted(cells, reverse=True))
-        self.one("#reset").click()
+        self.open(sample, asked="#kind=displaced")
         self.assertEqual(self.column("No."), first)
 
     def test_the_map_filters(self):
@@ -181,9 +185,11 @@ class List(PagesTest):
         self.assertEqual(Select(self.one("#tracer")).first_selected_option.text, "tracer_3")
         browser.execute_script("location.hash = 'kind=displaced'")
         WebDriverWait(browser, 10).until(lambda _: set(self.column("Kind")) == {"displaced"})
-        for nonsense in ("#sort=nothing", "#tracer=%3Cscript%3E", "#%", "#<img src=x onerror=alert(1)>", "#__proto__=1"):
+        for nonsense in ("#sort=nothing", "#%", "#<img src=x onerror=alert(1)>", "#__proto__=1"):
             self.open(sample, asked=nonsense)
-            self.assertIn(f"of {ROWS + 9} findings" if "tracer" in nonsense else "findings", self.shown() + f" of {ROWS + 9} findings")
+            self.assertTrue(self.shown().startswith(f"{ROWS + 9} findings"), nonsense)
+        self.open(sample, asked="#tracer=%3Cscript%3E")
+        self.assertEqual(self.shown(), "None of the findings is like that.")
 
     def test_hostile_names_are_names(self):
         self.open(sample, asked="#sort=rank")
@@ -191,7 +197,7 @@ class List(PagesTest):
         for name in ("<script>alert(1)</script>", "'; DROP TABLE findings; --", "\"quotes\" & 'more' <b>", "{{data}}", "two\nlines"):
             self.assertIn(name, names)
             browser.execute_script("""const s = document.getElementById('tracer'); s.value = arguments[0];
-                                      s.dispatchEvent(new Event('input'));""", name)
+                                      s.dispatchEvent(new Event('change'));""", name)
             self.assertEqual(self.column("Tracer"), [name])
             browser.get(browser.current_url)
             browser.refresh()  # by the address alone
