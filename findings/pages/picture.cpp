@@ -48,11 +48,23 @@ class Drawing {
     const Point2 p = at(where);
     add("<path class=\"{}\" d=\"M{:.2f} {:.2f}l10 10m0 -10l-10 10\"/>", style, p.x - 5, p.y - 5);
   }
-  /// Beside the place, by (dx, dy) of the picture; kept within it.
+  /// Beside the place, by (dx, dy) of the picture; kept within it, and off what is written already, where there is room.
   void text(Point2 where, double dx, double dy, std::string_view words, const char* style = "label") {
     const double wide = 7.2 * static_cast<double>(words.size());
     const double x = std::clamp(at(where).x + dx, 4 + wide / 2, std::max(4 + wide / 2, width - 4 - wide / 2));
-    const double y = std::clamp(at(where).y + dy, 16.0, height - 6);
+    const double wanted = at(where).y + dy;
+    double y = std::clamp(wanted, 16.0, height - 6);
+    const auto taken = [&](double line) {
+      return line < 16 || line > height - 6 || std::ranges::any_of(written_, [&](const Written& w) {
+               return std::abs(w.x - x) < (w.wide + wide) / 2 && std::abs(w.y - line) < 15;
+             });
+    };
+    for (const double away : {0, 16, -16, 32, -32, 48, -48})
+      if (!taken(wanted + away)) {
+        y = wanted + away;
+        break;
+      }
+    written_.push_back({x, y, wide});
     add("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", style, x, y, words);
   }
   /// In the lower left corner: a round number of units that is at most a third of the picture.
@@ -71,6 +83,11 @@ class Drawing {
   }
 
  private:
+  struct Written {
+    double x, y, wide;
+  };
+
+  std::vector<Written> written_;
   Point2 origin_;
   double x_, y_;
   std::string svg_;
@@ -294,7 +311,7 @@ Picture from_the_side(const FindingRow& row, const Look& look) {
   d.text(point, 0, h > 0 ? -12 : 22,
          displaced ? "the tracer's point" : is_start ? "the ray starts here" : is_end ? "the ray ends here" : "the ray");
   d.scale_bar(in_ulps);
-  std::string caption = "Seen from the side, the triangle's plane edge-on, the ray going down; heights are to scale";
+  std::string caption = "Seen from the side, the triangle's plane edge-on; heights are to scale";
   if (det != 0 && slope != true_slope) caption += ", the angle is not";
   if (displaced)
     caption += fmt::format(". By its t the answer's point is {} off the plane.", in_ulps(std::abs(h)));
