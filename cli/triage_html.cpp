@@ -42,12 +42,13 @@ Findings read(const std::vector<std::string>& paths) {
       from.push_back({path, ""});
       continue;
     }
-    all.searches.push_back({.tracer = summary->tracer,
-                            .source = fmt::format("fuzz: space {}, domain {}, seed {}", summary->space, summary->domain, summary->seed),
-                            .ended = time_of(file.string()),
-                            .executions = summary->executions,
-                            .worst_nominal_ulps = summary->worst_nominal_severity,
-                            .signatures = summary->signatures});
+    all.searches.push_back(
+        {.tracer = summary->tracer,
+         .source = fmt::format("fuzz: space {}, domain {}, seed {}", summary->space, summary->domain, summary->seed),
+         .ended = time_of(file.string()),
+         .executions = summary->executions,
+         .worst_nominal_ulps = summary->worst_nominal_severity,
+         .signatures = summary->signatures});
     if (const fs::path cases = fs::path(path) / "findings"; fs::is_directory(cases) && !fs::is_empty(cases))
       from.push_back({cases.string(), summary->tracer});
   }
@@ -99,23 +100,31 @@ void run(const Options& options) {
 }  // namespace
 
 void add_triage_html(CLI::App& triage) {
-  CLI::App* verb = triage.add_subcommand("html", "Findings as static pages: a list, and a page for each of the worst");
+  CLI::App* verb =
+      triage.add_subcommand("html", "Findings as static pages: a list, and a page for each of the worst");
   auto options = std::make_shared<Options>();
   Options& o = *options;
-  verb->add_option("PATH", o.paths, "Folders of campaigns; .case files with lines 'known', and folders of them")->required();
-  verb->add_option("-o,--output", o.folder, "Where the pages go; made if it isn't there")->required()->type_name("DIR");
+  verb->add_option("PATH", o.paths, "Folders of campaigns; .case files with lines 'known', and folders of them")
+      ->required();
+  verb->add_option("-o,--output", o.folder, "Where the pages go; made if it isn't there")
+      ->required()
+      ->type_name("DIR");
   verb->add_option("--pages", o.pages, "So many findings get a page of their own, the worst nominal ones first")
       ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000}))
       ->type_name("N")
       ->capture_default_str();
-  verb->add_option("--tracer", o.tracers, "A tracer of your own that pages ask too, beside all of this build; repeatable")
+  verb->add_option("--tracer", o.tracers,
+                   "A tracer of your own that pages ask too, beside all of this build; repeatable")
       ->type_name("NAME");
   add_tracer_timeout(*verb, o.foreign);
   verb->footer(
-      "DIR/index.html lists every signature of every tracer: to filter, to sort, with a map of tracers and conditions, and\n"
+      "DIR/index.html lists every signature of every tracer: to filter, to sort, with a map of tracers and "
+      "conditions, and\n"
       "what was searched. What is filtered is kept in the address, so that it can be sent to somebody.\n"
-      "DIR/finding-ID.html tells of one: what is wrong, by how much and why, in exact numbers; pictures, down to an ulp;\n"
-      "what every other tracer of this build says of the same case; whether the cases beside it are wrong too; and what to\n"
+      "DIR/finding-ID.html tells of one: what is wrong, by how much and why, in exact numbers; pictures, down to an "
+      "ulp;\n"
+      "what every other tracer of this build says of the same case; whether the cases beside it are wrong too; and "
+      "what to\n"
       "paste into a report. finding-ID.case holds its simplest and its worst case.\n"
       "Each page is one file that fetches nothing: it can be mailed, attached, or served from anywhere.\n"
       "Every case is asked again while the pages are written: by its tracer, and by all others.\n"

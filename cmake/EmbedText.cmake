@@ -8,7 +8,8 @@ if(CMAKE_SCRIPT_MODE_FILE)
   if(text MATCHES "\\)embedded\"")
     message(FATAL_ERROR "${input}: holds )embedded\", which ends the string that it becomes")
   endif()
-  file(WRITE "${output}" "#include \"${header}\"\n\nconst std::string_view plumbline::${symbol} = R\"embedded(${text})embedded\";\n")
+  file(WRITE "${output}" "#include \"${header}\"\n\n"
+                         "const std::string_view plumbline::${symbol} = R\"embedded(${text})embedded\";\n")
   return()
 endif()
 

@@ -21,8 +21,8 @@ namespace plumbline {
 namespace {
 
 // The case, put at the tracer's precision.
-void add(CaseRows& into, std::map<std::pair<std::string, std::string>, std::size_t>& places, const Tracer& tracer, Case put,
-         const std::string& seen) {
+void add(CaseRows& into, std::map<std::pair<std::string, std::string>, std::size_t>& places, const Tracer& tracer,
+         Case put, const std::string& seen) {
   const Examination e = Examiner(tracer).examine(put.bag.triangles.front(), put.ray);
   const auto s = signature(e, put.aim ? put.aim->wish : Wish::none);
   if (!s) {
@@ -63,7 +63,8 @@ CaseRows rows_of_cases(const std::vector<CasePath>& paths) {
       const std::string seen = time_of(file);
       for (const Case& c : read_cases(file)) {
         if (c.bag.triangles.size() != 1)
-          throw InputError(fmt::format("{}: case '{}' has {} triangles; a finding is of one", file, c.id, c.bag.triangles.size()));
+          throw InputError(
+              fmt::format("{}: case '{}' has {} triangles; a finding is of one", file, c.id, c.bag.triangles.size()));
         std::set<std::string> names;
         for (const Known& known : c.known) names.insert(known.tracer);
         if (!from.tracer.empty()) names.insert(from.tracer);
@@ -88,8 +89,9 @@ std::string time_of(const std::string& file) {
   const auto written = std::filesystem::last_write_time(file, error);
   if (error) return "";
   const auto utc = std::chrono::file_clock::to_sys(written);
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(
-                                                  std::chrono::time_point_cast<std::chrono::system_clock::duration>(utc))));
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                     fmt::gmtime(std::chrono::system_clock::to_time_t(
+                         std::chrono::time_point_cast<std::chrono::system_clock::duration>(utc))));
 }
 
 }  // namespace plumbline

@@ -51,7 +51,8 @@ std::string shell_word(std::string_view text) {
   return out + "'";
 }
 
-std::string filled(std::string_view page, std::initializer_list<std::pair<std::string_view, std::string_view>> values) {
+std::string filled(std::string_view page,
+                   std::initializer_list<std::pair<std::string_view, std::string_view>> values) {
   std::string out;
   for (;;) {
     const auto at = page.find("{{");

@@ -7,8 +7,8 @@
 
 namespace plumbline {
 
-/// For the contents of elements and for attributes in quotes. What HTML has no character for, control characters, become
-/// U+FFFD.
+/// For the contents of elements and for attributes in quotes. What HTML has no character for, control characters,
+/// become U+FFFD.
 std::string escaped(std::string_view text);
 
 /// JSON for the contents of a script element: no '<' is left in it that could end the element.
@@ -17,7 +17,9 @@ std::string json_in_html(std::string json);
 /// One word for a POSIX shell: as it is, or quoted.
 std::string shell_word(std::string_view text);
 
-/// The template with each {{name}} replaced by its value, once: values aren't looked at again. Every name has to be there.
-std::string filled(std::string_view page, std::initializer_list<std::pair<std::string_view, std::string_view>> values);
+/// The template with each {{name}} replaced by its value, once: values aren't looked at again. Every name has to be
+/// there.
+std::string filled(std::string_view page,
+                   std::initializer_list<std::pair<std::string_view, std::string_view>> values);
 
 }  // namespace plumbline

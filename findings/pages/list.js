@@ -1,5 +1,5 @@
-// The list of findings: reads the table that is embedded in the page, draws the map and the rows asked for. What is asked
-// for is kept in the address, behind '#', so that it can be sent to somebody. Text is only ever set as text.
+// The list of findings: reads the table that is embedded in the page, draws the map and the rows asked for. What is
+// asked for is kept in the address, behind '#', so that it can be sent to somebody. Text is only ever set as text.
 "use strict";
 
 const data = JSON.parse(document.getElementById("data").textContent);
@@ -47,7 +47,7 @@ const shownColumns = [
   { name: "element", title: "Where", words: data.elements },
   { name: "conditioning", title: "Condition", words: data.conditionings },
   { name: "rank", title: "Worst, ulps", number: true, help: "the nominal first, the worst first" },
-  { name: "bits", title: "Simplest, bits", number: true, help: "significant bits of all numbers of the simplest case" },
+  { name: "bits", title: "Simplest, bits", number: true, help: "significant bits of all its numbers" },
   { name: "count", title: "Seen", number: true, help: "how often" },
   { name: "status", title: "Status", words: data.statuses },
   { name: "first", title: "First seen", words: data.days },
@@ -89,7 +89,8 @@ function search() {
   if (text) {
     const has = (words) => words.map((w) => w.toLowerCase().includes(text));
     const tracers = has(data.tracers), signatures = has(data.signatures);
-    tests.push((i) => tracers[columns.tracer[i]] || signatures[columns.signature[i]] || String(columns.id[i]) === text);
+    tests.push(
+      (i) => tracers[columns.tracer[i]] || signatures[columns.signature[i]] || String(columns.id[i]) === text);
   }
   found = [];
   for (let i = 0; i < data.rows; ++i) if (tests.every((t) => t(i))) found.push(i);
@@ -109,7 +110,8 @@ function row(i) {
       cell.append(i < data.pages ? element("a", { href: `finding-${value}.html` }, String(value)) : String(value));
     } else if (name === "rank") {
       const nominal = data.conditionings[columns.conditioning[i]] === "nominal";
-      cell.append(element("span", nominal ? { class: "nominal" } : { class: "ill" }, shortNumber(severity(columns.worst[i]))));
+      const ulps = shortNumber(severity(columns.worst[i]));
+      cell.append(element("span", { class: nominal ? "nominal" : "ill" }, ulps));
     } else {
       cell.append(words ? words[value] : String(value));
     }
@@ -196,7 +198,8 @@ function showMap() {
 }
 
 function showFilters() {
-  for (const key of ["text", "tracer", "kind", "conditioning", "status"]) document.getElementById(key).value = asked[key];
+  for (const key of ["text", "tracer", "kind", "conditioning", "status"])
+    document.getElementById(key).value = asked[key];
   document.getElementById("fresh").checked = asked.fresh !== "";
 }
 
@@ -226,7 +229,10 @@ for (const key of ["text", "tracer", "kind", "conditioning", "status"])
     asked[key] = event.target.value;
     show();
   });
-document.getElementById("fresh").addEventListener("change", (event) => { asked.fresh = event.target.checked ? "1" : ""; show(); });
+document.getElementById("fresh").addEventListener("change", (event) => {
+  asked.fresh = event.target.checked ? "1" : "";
+  show();
+});
 document.getElementById("filters").addEventListener("submit", (event) => event.preventDefault());
 document.getElementById("filters").addEventListener("reset", (event) => {
   event.preventDefault();

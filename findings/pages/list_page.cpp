@@ -16,8 +16,8 @@
 namespace plumbline {
 namespace {
 
-// A column of whole numbers for list.js: {"width":2,"digits":"0a1f"}, each in as many digits to base 36 as the largest
-// takes. A hundred thousand rows are 2 MB that way, and read in no time.
+// A column of whole numbers for list.js: {"width":2,"digits":"0a1f"}, each in as many digits to base 36 as the
+// largest takes. A hundred thousand rows are 2 MB that way, and read in no time.
 std::string column(const std::vector<std::uint64_t>& numbers) {
   constexpr std::string_view digits = "0123456789abcdefghijklmnopqrstuvwxyz";
   std::uint64_t largest = 0;
@@ -131,7 +131,8 @@ std::string counted(std::uint64_t n, std::string_view one, std::string_view many
 std::string worst_words(double ulps) { return ulps > 0 ? in_ulps(ulps) : "none wrong"; }
 
 // What was searched, and what came of it.
-std::string summary_of(std::span<const FindingRow* const> ranks, std::size_t paged, std::span<const SearchRow> searches) {
+std::string summary_of(std::span<const FindingRow* const> ranks, std::size_t paged,
+                       std::span<const SearchRow> searches) {
   std::uint64_t executions = 0;
   double worst = 0, margin = 0;
   std::set<std::string_view> searched, wrong;
@@ -148,22 +149,24 @@ std::string summary_of(std::span<const FindingRow* const> ranks, std::size_t pag
   }
   std::string text;
   if (!searches.empty())
-    text += fmt::format("<p>Searched: {}, {}, of {}.", counted(searches.size(), "search", "searches"),
-                        counted(executions, "execution", "executions"), counted(searched.size(), "tracer", "tracers"));
+    text +=
+        fmt::format("<p>Searched: {}, {}, of {}.", counted(searches.size(), "search", "searches"),
+                    counted(executions, "execution", "executions"), counted(searched.size(), "tracer", "tracers"));
   else
     text += "<p>No search is recorded with these findings.";
   if (ranks.empty())
     text += searches.empty() ? " And there are none." : " <strong>No wrong answer was found.</strong>";
   else
     text += fmt::format(" Found: {}, in {}{}.", counted(ranks.size(), "way to be wrong", "ways to be wrong"),
-                        counted(wrong.size(), "tracer", "tracers"), fresh > 0 ? fmt::format("; {} new", thousands(fresh)) : "");
+                        counted(wrong.size(), "tracer", "tracers"),
+                        fresh > 0 ? fmt::format("; {} new", thousands(fresh)) : "");
   if (worst > 0) text += fmt::format(" The worst nominal severity reached is <strong>{}</strong>.", in_ulps(worst));
-  if (margin > 0)
-    text += fmt::format(" The nearest that a case came to another answer is {}.", in_ulps(margin));
+  if (margin > 0) text += fmt::format(" The nearest that a case came to another answer is {}.", in_ulps(margin));
   text += "</p>";
   if (paged < ranks.size())
-    text += fmt::format("<p>The worst {} have pages of their own, linked by their numbers; the others are listed only.</p>",
-                        thousands(paged));
+    text += fmt::format(
+        "<p>The worst {} have pages of their own, linked by their numbers; the others are listed only.</p>",
+        thousands(paged));
   return text;
 }
 
@@ -177,14 +180,17 @@ std::string searches_of(std::span<const SearchRow> searches) {
   constexpr std::size_t most = 200;
   std::string text = fmt::format(
       "<details{}><summary>What was searched</summary><div class=\"scroll\" tabindex=\"0\" role=\"region\" "
-      "aria-label=\"Searches\"><table><thead><tr><th>Tracer<th>Search<th>Ended<th class=\"n\">Executions<th class=\"n\">Worst "
+      "aria-label=\"Searches\"><table><thead><tr><th>Tracer<th>Search<th>Ended<th class=\"n\">Executions<th "
+      "class=\"n\">Worst "
       "nominal severity<th class=\"n\">Nearest to another answer<th class=\"n\">Signatures</tr></thead><tbody>",
       newest.size() <= 8 ? " open" : "");
   for (const SearchRow* const s : std::span(newest).first(std::min(most, newest.size())))
-    text += fmt::format("<tr><td>{}<td class=\"words\">{}<td class=\"one-line\">{}<td class=\"n\">{}<td class=\"n\">{}<td class=\"n\">{}<td class=\"n\">{}</tr>",
-                        escaped(s->tracer), escaped(s->source), escaped(s->ended), thousands(s->executions),
-                        worst_words(s->worst_nominal_ulps), s->least_margin_ulps > 0 ? in_ulps(s->least_margin_ulps) : "",
-                        thousands(s->signatures));
+    text += fmt::format(
+        "<tr><td>{}<td class=\"words\">{}<td class=\"one-line\">{}<td class=\"n\">{}<td class=\"n\">{}<td "
+        "class=\"n\">{}<td class=\"n\">{}</tr>",
+        escaped(s->tracer), escaped(s->source), escaped(s->ended), thousands(s->executions),
+        worst_words(s->worst_nominal_ulps), s->least_margin_ulps > 0 ? in_ulps(s->least_margin_ulps) : "",
+        thousands(s->signatures));
   text += "</tbody></table></div>";
   if (newest.size() > most) text += fmt::format("<p>And {} before these.</p>", thousands(newest.size() - most));
   return text + "</details>";
@@ -192,7 +198,8 @@ std::string searches_of(std::span<const SearchRow> searches) {
 
 }  // namespace
 
-std::string list_page(std::span<const FindingRow* const> ranks, std::size_t paged, std::span<const SearchRow> searches) {
+std::string list_page(std::span<const FindingRow* const> ranks, std::size_t paged,
+                      std::span<const SearchRow> searches) {
   return filled(list_html, {{"style", page_css},
                             {"script", list_js},
                             {"summary", summary_of(ranks, paged, searches)},

@@ -34,8 +34,8 @@ void write_pages(std::span<const FindingRow> rows, std::span<const SearchRow> se
   for (const FindingRow* const row : paged)
     for (const FoundCase* const found : {&row->worst, &row->simplest})
       if (found->what.bag.triangles.size() != 1)
-        throw InputError(fmt::format("finding {}: case '{}' has {} triangles; a page tells of one", row->id, found->what.id,
-                                     found->what.bag.triangles.size()));
+        throw InputError(fmt::format("finding {}: case '{}' has {} triangles; a page tells of one", row->id,
+                                     found->what.id, found->what.bag.triangles.size()));
   for (std::size_t rank = 0; rank < paged.size(); ++rank) {
     const FindingFiles files = finding_files(paged, rank, options);
     write(page_name(paged[rank]->id, "case"), files.cases);

@@ -1,5 +1,5 @@
-// Findings as static pages, for a browser and nothing else: a list of all, and a page for each of the worst. Each page is
-// one file with all it needs; nothing is fetched.
+// Findings as static pages, for a browser and nothing else: a list of all, and a page for each of the worst. Each
+// page is one file with all it needs; nothing is fetched.
 //
 // While pages are written, this build's tracers are asked each page's cases once more.
 #pragma once
@@ -25,8 +25,8 @@ struct PageOptions {
   std::function<void(std::size_t done, std::size_t of)> progress = {};  ///< of the pages
 };
 
-/// Calls write(name, text) for each file: finding-ID.html and finding-ID.case of each finding that gets a page, at last
-/// index.html, so that what it names is there. Throws InputError where a case isn't one triangle.
+/// Calls write(name, text) for each file: finding-ID.html and finding-ID.case of each finding that gets a page, at
+/// last index.html, so that what it names is there. Throws InputError where a case isn't one triangle.
 void write_pages(std::span<const FindingRow> rows, std::span<const SearchRow> searches, const PageOptions& options,
                  const std::function<void(const std::string& name, const std::string& text)>& write);
 

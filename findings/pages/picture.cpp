@@ -48,7 +48,8 @@ class Drawing {
     const Point2 p = at(where);
     add("<path class=\"{}\" d=\"M{:.2f} {:.2f}l10 10m0 -10l-10 10\"/>", style, p.x - 5, p.y - 5);
   }
-  /// Beside the place, by (dx, dy) of the picture; kept within it, and off what is written already, where there is room.
+  /// Beside the place, by (dx, dy) of the picture; kept within it, and off what is written already, where there is
+  /// room.
   void text(Point2 where, double dx, double dy, std::string_view words, const char* style = "label") {
     const double wide = 7.2 * static_cast<double>(words.size());
     const double x = std::clamp(at(where).x + dx, 4 + wide / 2, std::max(4 + wide / 2, width - 4 - wide / 2));
@@ -79,7 +80,8 @@ class Drawing {
     fmt::format_to(std::back_inserter(svg_), format, std::forward<Args>(args)...);
   }
   std::string take(std::string_view label) const {
-    return fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">{}</svg>", width, height, label, svg_);
+    return fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">{}</svg>", width, height, label,
+                       svg_);
   }
 
  private:
@@ -179,12 +181,14 @@ unsigned base_edge(Element element, const Margins& m) {
     default: break;
   }
   const std::array<double, 3> depth = {m.v * m.v_scale, m.w * m.w_scale, m.u * m.u_scale};
-  return static_cast<unsigned>(std::ranges::min_element(depth, {}, [](double d) { return std::abs(d); }) - depth.begin());
+  return static_cast<unsigned>(std::ranges::min_element(depth, {}, [](double d) { return std::abs(d); }) -
+                               depth.begin());
 }
 
 /// Where the u and v of the answer are, relative to the true ones: e1 and e2 are edges ab and ca.
 std::optional<Point2> answered_point(const Look& look, Point2 ab, Point2 ca) {
-  if (!look.answer || look.answer->outcome != Outcome::hit || !look.answer->has_uv || !look.margins) return std::nullopt;
+  if (!look.answer || look.answer->outcome != Outcome::hit || !look.answer->has_uv || !look.margins)
+    return std::nullopt;
   const double du = look.answer->u - look.margins->u, dv = look.answer->v - look.margins->v;
   const Point2 p = du * ab + -dv * ca;
   if (!finite(p)) return std::nullopt;
@@ -211,8 +215,10 @@ Picture from_along_the_ray(const FindingRow& row, const Look& look) {
   const auto frame = window(half_width, half_height);
   const bool grid = half_height >= 2 && half_height <= 12;
   if (grid) {
-    for (double k = -std::floor(half_width); k <= half_width; ++k) d.line({k, -half_height}, {k, half_height}, "grid");
-    for (double k = -std::floor(half_height); k <= half_height; ++k) d.line({-half_width, k}, {half_width, k}, "grid");
+    for (double k = -std::floor(half_width); k <= half_width; ++k)
+      d.line({k, -half_height}, {k, half_height}, "grid");
+    for (double k = -std::floor(half_height); k <= half_height; ++k)
+      d.line({-half_width, k}, {half_width, k}, "grid");
   }
   std::vector<Point2> inner = {
       {-half_width, -half_height}, {half_width, -half_height}, {half_width, half_height}, {-half_width, half_height}};
@@ -226,7 +232,8 @@ Picture from_along_the_ray(const FindingRow& row, const Look& look) {
     const auto part = border_within(s->side[k], within);
     if (part.empty()) continue;
     d.line(part[0], part[1], "edge");
-    const Point2 far = length(part[0]) > length(part[1]) ? part[0] : part[1], near = length(part[0]) > length(part[1]) ? part[1] : part[0];
+    const Point2 far = length(part[0]) > length(part[1]) ? part[0] : part[1],
+                 near = length(part[0]) > length(part[1]) ? part[1] : part[0];
     d.text(0.75 * far + 0.25 * near, -18 * s->side[k].inward.x, s->side[k].inward.y > 0 ? 20 : -8,
            fmt::format("edge {}", edge_names[k]));
   }
@@ -236,7 +243,8 @@ Picture from_along_the_ray(const FindingRow& row, const Look& look) {
   if (!inner.empty()) {
     Point2 middle;
     for (const Point2 p : inner) middle = middle + 1.0 / static_cast<double>(inner.size()) * p;
-    const bool room = std::ranges::all_of(s->side, [&](const HalfPlane& h) { return h.over(middle) > 0.12 * half_height; });
+    const bool room =
+        std::ranges::all_of(s->side, [&](const HalfPlane& h) { return h.over(middle) > 0.12 * half_height; });
     if (room && length(middle) > 0.2 * half_height) d.text(middle, 0, 5, "inside", "area");
   }
   const Point2 aim = answered ? *answered : target;
@@ -279,8 +287,8 @@ Picture from_the_side(const FindingRow& row, const Look& look) {
   if (!look.margins) return {};
   const int det = look.certificate.det.sign;
   const bool displaced = row.kind == FindingKind::displaced;
-  const double t = displaced ? (look.answer ? look.answer->t : HUGE_VAL)
-                   : row.element == Element::t_max ? look.query.ray.t_max
+  const double t = displaced                                      ? (look.answer ? look.answer->t : HUGE_VAL)
+                   : row.element == Element::t_max                ? look.query.ray.t_max
                    : det == 0 && !is_finite(look.query.ray.t_min) ? 0
                                                                   : look.query.ray.t_min;
   const auto above = height_ulps(look, t);
@@ -309,7 +317,10 @@ Picture from_the_side(const FindingRow& row, const Look& look) {
   else
     d.dot(point, "ray");
   d.text(point, 0, h > 0 ? -12 : 22,
-         displaced ? "the tracer's point" : is_start ? "the ray starts here" : is_end ? "the ray ends here" : "the ray");
+         displaced  ? "the tracer's point"
+         : is_start ? "the ray starts here"
+         : is_end   ? "the ray ends here"
+                    : "the ray");
   d.scale_bar(in_ulps);
   std::string caption = "Seen from the side, the triangle's plane edge-on; heights are to scale";
   if (det != 0 && slope != true_slope) caption += ", the angle is not";
@@ -336,7 +347,8 @@ Picture whole_triangle(const FindingRow& row, const Look& look) {
   const auto outline = seen_flat(look.triangle, look.query, base);
   if (!outline) return {};
   const double unit = length(outline->edge[base]);
-  std::vector<Point2> corners;  // in longest edges, from the base's start: differences of points far away would cancel
+  std::vector<Point2>
+      corners;  // in longest edges, from the base's start: differences of points far away would cancel
   const unsigned third = (base + 2) % 3;
   const Point2 base_edge = 1 / unit * outline->edge[base], up = 1 / unit * outline->edge[third];
   corners.resize(3);
@@ -380,18 +392,22 @@ Picture whole_triangle(const FindingRow& row, const Look& look) {
     const Point2 away = ray + -1.0 * middle;
     const Point2 to = d.at({middle.x + away.x / length(away), middle.y + away.y / length(away)});
     const Point2 from = d.at(middle), step = Point2{to.x - from.x, to.y - from.y};
-    const double most = std::min((width / 2 - 14) / std::max(1e-9, std::abs(step.x)), (height / 2 - 14) / std::max(1e-9, std::abs(step.y)));
-    d.add("<line class=\"path arrow\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>", from.x + 0.6 * most * step.x,
-          from.y + 0.6 * most * step.y, from.x + most * step.x, from.y + most * step.y);
-    caption += fmt::format("; the ray meets that plane beyond the picture, {} longest edges away", short_number(length(away)));
+    const double most = std::min((width / 2 - 14) / std::max(1e-9, std::abs(step.x)),
+                                 (height / 2 - 14) / std::max(1e-9, std::abs(step.y)));
+    d.add("<line class=\"path arrow\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>",
+          from.x + 0.6 * most * step.x, from.y + 0.6 * most * step.y, from.x + most * step.x, from.y + most * step.y);
+    caption += fmt::format("; the ray meets that plane beyond the picture, {} longest edges away",
+                           short_number(length(away)));
   }
-  caption += stretch > 1 ? fmt::format(". Drawn {} times as high as it is: it is a sliver.", short_number(stretch)) : ".";
+  caption +=
+      stretch > 1 ? fmt::format(". Drawn {} times as high as it is: it is a sliver.", short_number(stretch)) : ".";
   return {d.take("The whole triangle in its plane"), caption};
 }
 
 Picture disagreement(const FindingRow& row, const Look& look) {
   if (row.kind == FindingKind::death || row.kind == FindingKind::not_finite) return {};
-  const bool at_plane = row.element == Element::plane || row.element == Element::t_min || row.element == Element::t_max;
+  const bool at_plane =
+      row.element == Element::plane || row.element == Element::t_min || row.element == Element::t_max;
   return at_plane ? from_the_side(row, look) : from_along_the_ray(row, look);
 }
 

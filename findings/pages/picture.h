@@ -16,8 +16,8 @@ struct Picture {
 /// The triangle in its plane, and where the ray meets that.
 Picture whole_triangle(const FindingRow& row, const Look& look);
 
-/// What the answer has wrong, magnified: along the ray at an edge or vertex, from the side at the plane or at an end of
-/// the ray's range.
+/// What the answer has wrong, magnified: along the ray at an edge or vertex, from the side at the plane or at an end
+/// of the ray's range.
 Picture disagreement(const FindingRow& row, const Look& look);
 
 }  // namespace plumbline

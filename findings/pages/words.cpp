@@ -72,8 +72,8 @@ std::string what_is_wrong(const FindingRow& row) {
 
 std::string how_bad(double ulps, double longest_edge_ulps) {
   const double part = ulps / longest_edge_ulps;
-  std::string text = ulps < 1    ? "less than the rounding of one coordinate"
-                     : ulps < 16 ? "as much as the rounding of a few coordinates"
+  std::string text = ulps < 1      ? "less than the rounding of one coordinate"
+                     : ulps < 16   ? "as much as the rounding of a few coordinates"
                      : ulps < 1024 ? "well beyond the rounding of the coordinates"
                                    : "far beyond the rounding of the coordinates";
   if (longest_edge_ulps > 0) {

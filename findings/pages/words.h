@@ -14,7 +14,8 @@ std::string in_ulps(double ulps);
 /// What the tracer does: "calls this a hit; the ray passes outside edge BC".
 std::string what_is_wrong(const FindingRow& row);
 
-/// How bad a severity above 0 is, by two measures that everybody has: the rounding of one coordinate, and the size of the triangle.
+/// How bad a severity above 0 is, by two measures that everybody has: the rounding of one coordinate, and the size of
+/// the triangle.
 std::string how_bad(double ulps, double longest_edge_ulps);
 
 /// "A", "edge BC", "the start of the range"

@@ -50,7 +50,8 @@ class TriageHtmlTest(unittest.TestCase):
         signatures = sum(len(list((c / "findings").glob("*.case"))) for c in campaigns)
         done = self.html(*campaigns, "--pages", 5)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertEqual(done.stdout, f"{self.pages}/index.html: {signatures} findings, 5 of them with pages of their own\n")
+        self.assertEqual(done.stdout,
+                         f"{self.pages}/index.html: {signatures} findings, 5 of them with pages of their own\n")
         names = sorted(p.name for p in self.pages.iterdir())
         self.assertEqual(len([n for n in names if re.fullmatch(r"finding-\d+\.html", n)]), 5)
         self.assertEqual(len([n for n in names if re.fullmatch(r"finding-\d+\.case", n)]), 5)
@@ -78,7 +79,8 @@ class TriageHtmlTest(unittest.TestCase):
         done = self.html(self.write(THIRDS))
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         page = (self.pages / "finding-1.html").read_text()
-        self.assertIn("<code>woop_watertight_f32</code> misses this; the ray meets edge BC exactly, where it promises a hit", page)
+        self.assertIn("<code>woop_watertight_f32</code> misses this; the ray meets edge BC exactly, where it promises "
+                      "a hit", page)
         self.assertIn("It meets the border exactly.", page)
         self.assertIn("No search is recorded", (self.pages / "index.html").read_text())
 
@@ -93,7 +95,8 @@ class TriageHtmlTest(unittest.TestCase):
     def test_what_is_left_out_is_told(self):
         done = self.html(self.write(THIRDS + "known plucker_f46 false-miss\nknown exact false-miss\n"))
         self.assertEqual(done.returncode, 0)
-        self.assertIn("plucker_f46: not in this build; 1 of its cases left out (did you mean 'plucker_f64'?)", done.stderr)
+        self.assertIn("plucker_f46: not in this build; 1 of its cases left out (did you mean 'plucker_f64'?)",
+                      done.stderr)
         self.assertIn("1 cases left out: their tracers get them right", done.stderr)
         self.assertIn("1 findings", done.stdout)
 

@@ -28,7 +28,8 @@ class CaseRowsTest : public testing::Test {
 
 // Rays that this kernel misses, though they meet the edge bc exactly: one third isn't a binary32 number.
 constexpr const char* thirds =
-    "case thirds\nprecision binary32\ntriangle 2 -1 0  1 0 1  0 0 0\nray -1 1 0  1.5 -1 0.5\nknown woop_watertight_f32 false-miss\n";
+    "case thirds\nprecision binary32\ntriangle 2 -1 0  1 0 1  0 0 0\nray -1 1 0  1.5 -1 0.5\nknown "
+    "woop_watertight_f32 false-miss\n";
 constexpr const char* well_hit = "triangle 0 0 0  1 0 0  0 1 0\nray 0.25 0.25 1  0 0 -1\n";
 
 TEST_F(CaseRowsTest, TellTheSimplestAndTheWorstOfEachSignature) {
@@ -51,7 +52,8 @@ TEST_F(CaseRowsTest, TellTheSimplestAndTheWorstOfEachSignature) {
 }
 
 TEST_F(CaseRowsTest, LeaveOutWhatIsRightOrUnknown) {
-  const auto path = write("x.case", "case hit\n" + std::string(well_hit) + "known plucker_f64 false-miss\nknown nobody false-hit\n");
+  const auto path = write(
+      "x.case", "case hit\n" + std::string(well_hit) + "known plucker_f64 false-miss\nknown nobody false-hit\n");
   const CaseRows all = rows_of_cases({{path, ""}});
   EXPECT_TRUE(all.rows.empty());
   EXPECT_EQ(all.right, 1u);

@@ -28,7 +28,8 @@ struct Written {
   const std::string& operator[](const std::string& name) const { return files.at(name); }
 };
 
-Written pages_of(const std::vector<FindingRow>& rows, const std::vector<SearchRow>& searches = {}, const PageOptions& options = {}) {
+Written pages_of(const std::vector<FindingRow>& rows, const std::vector<SearchRow>& searches = {},
+                 const PageOptions& options = {}) {
   Written written;
   write_pages(rows, searches, options, [&](const std::string& name, const std::string& text) {
     written.order.push_back(name);
@@ -119,8 +120,9 @@ TEST(Pages, AHundredThousandRowsAreUnderThreeMegabytes) {
     EXPECT_EQ(data["tracers"][cell(data, "tracer", k)], row.tracer);
     const auto signature = cell(data, "signature", k);
     EXPECT_EQ(data["signatures"][signature], row.signature);
-    EXPECT_THAT(data["classes"][signature].get<std::vector<int>>(),
-                ElementsAre(static_cast<int>(row.kind), static_cast<int>(row.element), static_cast<int>(row.conditioning)));
+    EXPECT_THAT(
+        data["classes"][signature].get<std::vector<int>>(),
+        ElementsAre(static_cast<int>(row.kind), static_cast<int>(row.element), static_cast<int>(row.conditioning)));
     EXPECT_EQ(cell(data, "bits", k), row.simplest.bits);
     EXPECT_EQ(cell(data, "count", k), row.count);
     EXPECT_EQ(cell(data, "status", k), static_cast<unsigned>(row.status));
@@ -128,7 +130,8 @@ TEST(Pages, AHundredThousandRowsAreUnderThreeMegabytes) {
     EXPECT_EQ(data["days"][cell(data, "first", k)], row.first_seen.substr(0, 10));
     EXPECT_EQ(data["days"][cell(data, "last", k)], row.last_seen.substr(0, 10));
     const auto code = cell(data, "worst", k) - 1;
-    const double worst = static_cast<double>(code % 900 + 100) * std::pow(10.0, static_cast<double>(code / 900) - 402);
+    const double worst =
+        static_cast<double>(code % 900 + 100) * std::pow(10.0, static_cast<double>(code / 900) - 402);
     EXPECT_NEAR(worst / row.worst.ulps, 1, 0.005);
   }
 }
@@ -141,8 +144,8 @@ TEST(Pages, TheWorstNominalOnesGetPages) {
   rows[2].worst.ulps = 6;
   rows[3].worst.ulps = 5;
   const Written all = pages_of(rows, {}, {.pages = 3, .tracers = {}});
-  EXPECT_THAT(all.order, ElementsAre("finding-3.case", "finding-3.html", "finding-2.case", "finding-2.html", "finding-4.case",
-                                     "finding-4.html", "index.html"));
+  EXPECT_THAT(all.order, ElementsAre("finding-3.case", "finding-3.html", "finding-2.case", "finding-2.html",
+                                     "finding-4.case", "finding-4.html", "index.html"));
   const auto data = data_of(all["index.html"]);
   EXPECT_EQ(data["pages"], 3);
   EXPECT_EQ(cell(data, "id", 0), 3u);
@@ -155,7 +158,10 @@ TEST(Pages, TheWorstNominalOnesGetPages) {
 }
 
 TEST(Pages, ACleanResultSaysWhatWasSearched) {
-  const SearchRow search{.tracer = "t", .source = "fuzz: space ray", .ended = "2026-01-02T03:04:05Z", .executions = 1234567,
+  const SearchRow search{.tracer = "t",
+                         .source = "fuzz: space ray",
+                         .ended = "2026-01-02T03:04:05Z",
+                         .executions = 1234567,
                          .least_margin_ulps = 0.25};
   const std::string list = pages_of({}, {search, search})["index.html"];
   EXPECT_THAT(list, HasSubstr("Searched: 2 searches, 2 469 134 executions, of 1 tracer."));
@@ -199,23 +205,31 @@ TEST(Pages, HostileNamesStayText) {
     EXPECT_EQ(text.find('\x01'), std::string::npos) << name;
   }
   const auto data = data_of(all["index.html"]);
-  for (std::size_t k = 0; k < rows.size(); ++k) EXPECT_EQ(data["tracers"][cell(data, "tracer", k)], rows[cell(data, "id", k) - 1].tracer);
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    EXPECT_EQ(data["tracers"][cell(data, "tracer", k)], rows[cell(data, "id", k) - 1].tracer);
 }
 
 TEST(FindingPage, TellsDistanceProofAndOthers) {
   const std::string page = page_of(sample_row(12, ""), hit_at(1, 0.375, 0));
   EXPECT_THAT(page, HasSubstr("<h1><code>fixed</code> calls this a hit; the ray passes outside edge AB</h1>"));
-  EXPECT_THAT(page, HasSubstr("move by <strong>4 ulps</strong>: as much as the rounding of a few coordinates; the triangle's "));
+  EXPECT_THAT(
+      page,
+      HasSubstr("move by <strong>4 ulps</strong>: as much as the rounding of a few coordinates; the triangle's "));
   EXPECT_THAT(page, HasSubstr("It passes 4 ulps outside the triangle. The grid is one ulp wide."));
   EXPECT_THAT(page, HasSubstr("It passes 2 ulps outside the triangle."));
-  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">w<sub>AB</sub><td class=\"sign\">+<td>against the sign of det: outer side"
-                              "<td class=\"exact\">1 * 2^-50</tr>"));
-  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">det<td class=\"sign\">−<td>it comes from the front<td class=\"exact\">-1</tr>"));
+  EXPECT_THAT(page,
+              HasSubstr("<th scope=\"row\">w<sub>AB</sub><td class=\"sign\">+<td>against the sign of det: outer side"
+                        "<td class=\"exact\">1 * 2^-50</tr>"));
+  EXPECT_THAT(
+      page,
+      HasSubstr("<th scope=\"row\">det<td class=\"sign\">−<td>it comes from the front<td class=\"exact\">-1</tr>"));
   EXPECT_THAT(page, HasSubstr("Wrong are 1 of 2 on the simplest case, 1 of 2 on the worst case."));
   EXPECT_THAT(page, HasSubstr("miss, right"));
   EXPECT_THAT(page, HasSubstr("hit, wrong by 4 ulps"));
-  EXPECT_THAT(page, HasSubstr("Of the 30 cases beside it, one ulp away in one number, <strong>30</strong> are wrong too"));
-  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">origin y<td class=\"n\">-8.881784197001252e-16<td class=\"n\">-0x1p-50"));
+  EXPECT_THAT(page,
+              HasSubstr("Of the 30 cases beside it, one ulp away in one number, <strong>30</strong> are wrong too"));
+  EXPECT_THAT(page,
+              HasSubstr("<th scope=\"row\">origin y<td class=\"n\">-8.881784197001252e-16<td class=\"n\">-0x1p-50"));
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\">origin y<td class=\"n\">-1/2^50"));
   EXPECT_THAT(page, HasSubstr("plumbline replay finding-12.case --tracer fixed"));
 }
@@ -268,7 +282,8 @@ TEST(FindingPage, LinksWhatItIsADuplicateOf) {
   FindingRow row = sample_row(1, "t");
   row.status = FindingStatus::duplicate;
   row.duplicate_of = 2;
-  EXPECT_THAT(pages_of({row, sample_row(2, "t")})["finding-1.html"], HasSubstr("duplicate of <a href=\"finding-2.html\">2</a>"));
+  EXPECT_THAT(pages_of({row, sample_row(2, "t")})["finding-1.html"],
+              HasSubstr("duplicate of <a href=\"finding-2.html\">2</a>"));
   EXPECT_THAT(pages_of({row})["finding-1.html"], HasSubstr("<dd>duplicate of 2</dd>"));
 }
 

@@ -9,9 +9,16 @@
 namespace plumbline {
 
 std::vector<std::string> hostile_names() {
-  return {"<script>alert(1)</script>", "</script><script>alert(2)</script>", "'; DROP TABLE findings; --",
-          "\"quotes\" & 'more' <b>",   "two\nlines",                         "{{data}}",
-          "a#b?c=d&tracer=e%20f",      "\x01\x02" "control",                 "<!--<script>"};
+  return {"<script>alert(1)</script>",
+          "</script><script>alert(2)</script>",
+          "'; DROP TABLE findings; --",
+          "\"quotes\" & 'more' <b>",
+          "two\nlines",
+          "{{data}}",
+          "a#b?c=d&tracer=e%20f",
+          "\x01\x02"
+          "control",
+          "<!--<script>"};
 }
 
 Case case_at(std::string id, double x, double y) {

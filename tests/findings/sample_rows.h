@@ -1,4 +1,5 @@
-// Findings that were never found, for tests of what shows them: names that no page should obey, and as many as wanted.
+// Findings that were never found, for tests of what shows them: names that no page should obey, and as many as
+// wanted.
 #pragma once
 #include <string>
 #include <vector>

@@ -41,7 +41,7 @@ TEST(Outline, AnyEdgeRunsToTheRight) {
 }
 
 TEST(Outline, AlongASlantedRayTheTriangleIsNarrower) {
-  const Ray slanted{{0, 0.25, 1}, {1, 0, -1}};  // 45 degrees, in the plane of x and z; it meets (1, 0.25, 0)
+  const Ray slanted{{0, 0.25, 1}, {1, 0, -1}};         // 45 degrees, in the plane of x and z; it meets (1, 0.25, 0)
   const auto seen = seen_along_ray(unit, slanted, 2);  // ca stays as it is
   EXPECT_EQ(std::abs(seen->edge[2].x), 1);
   EXPECT_EQ(seen->corner[1].y - seen->corner[0].y, 0x1.6a09e667f3bcdp-1);

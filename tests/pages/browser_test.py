@@ -1,5 +1,5 @@
-"""The pages of findings in a browser, headless Chromium: filters, sorting, the map, copying, keyboard, narrow screens, dark
-ones, hostile names, and nothing that the console complains of. Skipped (exit code 77) without Chromium.
+"""The pages of findings in a browser, headless Chromium: filters, sorting, the map, copying, keyboard, narrow
+screens, dark ones, hostile names, and nothing that the console complains of. Skipped (exit code 77) without Chromium.
 Arguments: the program, sample_pages. PAGES_SCREENSHOTS: a folder to keep pictures in."""
 import os
 import pathlib
@@ -31,11 +31,15 @@ if not CHROMIUM or not DRIVER:
 def start_browser(profile):
     options = webdriver.ChromeOptions()
     options.binary_location = CHROMIUM
-    for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--force-device-scale-factor=1",
-                     "--disable-background-networking", f"--user-data-dir={profile}"):
+    for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                     "--force-device-scale-factor=1", "--disable-background-networking", f"--user-data-dir={profile}"):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     return webdriver.Chrome(service=Service(DRIVER), options=options)
+
+
+def run(*command):
+    subprocess.run(command, check=True, capture_output=True)
 
 
 def setUpModule():
@@ -48,9 +52,9 @@ def setUpModule():
     campaigns = []
     for tracer in TRACERS:
         campaigns.append(folder / tracer)
-        subprocess.run([PROGRAM, "fuzz", "--tracer", tracer, "--runs", "5000", "-o", campaigns[-1]], check=True, capture_output=True)
-    subprocess.run([PROGRAM, "triage", "html", *campaigns, "-o", found, "--pages", "8"], check=True, capture_output=True)
-    subprocess.run([SAMPLE, sample, str(ROWS)], check=True)
+        run(PROGRAM, "fuzz", "--tracer", tracer, "--runs", "5000", "-o", campaigns[-1])
+    run(PROGRAM, "triage", "html", *campaigns, "-o", found, "--pages", "8")
+    run(SAMPLE, sample, str(ROWS))
     browser = start_browser(folder / "profile")
 
 
@@ -68,6 +72,10 @@ class PagesTest(unittest.TestCase):
         """Whatever a test did: the console is silent, and no name was run as a program."""
         self.assertEqual([entry["message"] for entry in browser.get_log("browser")], [])
 
+    def scheme(self, name):
+        browser.execute_cdp_cmd("Emulation.setEmulatedMedia",
+                                {"features": [{"name": "prefers-color-scheme", "value": name}]})
+
     def screen(self, width, height):
         browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
                                 {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
@@ -80,7 +88,8 @@ class PagesTest(unittest.TestCase):
         return browser.find_element(By.CSS_SELECTOR, selector)
 
     def texts(self, selector):
-        return browser.execute_script("return [...document.querySelectorAll(arguments[0])].map(e => e.textContent)", selector)
+        return browser.execute_script(
+            "return [...document.querySelectorAll(arguments[0])].map(e => e.textContent)", selector)
 
     def column(self, title):
         """The cells of a column of the list as they are shown."""
@@ -149,12 +158,14 @@ class List(PagesTest):
         for title, key in (("Tracer", lambda cell: cell.removesuffix(" new")), ("Seen", int), ("Simplest, bits", int),
                            ("First seen", str), ("No.", int)):
             with self.subTest(title):
-                header = next(b for b in browser.find_elements(By.CSS_SELECTOR, "#list th button") if b.text.startswith(title))
+                buttons = browser.find_elements(By.CSS_SELECTOR, "#list th button")
+                header = next(b for b in buttons if b.text.startswith(title))
                 number = int(header.find_element(By.XPATH, "..").get_attribute("cellIndex") or 0)
                 header.click()
                 cells = [key(cell) for cell in self.column(title)]
                 self.assertEqual(cells, sorted(cells))
-                sorts = browser.execute_script("return [...document.querySelectorAll('#list th')].map(e => e.ariaSort)")
+                sorts = browser.execute_script(
+                    "return [...document.querySelectorAll('#list th')].map(e => e.ariaSort)")
                 self.assertEqual(sorts[number], "ascending")
                 self.assertEqual(sum(s is not None for s in sorts), 1)
                 browser.switch_to.active_element.send_keys(Keys.ENTER)  # the keyboard stays where it was
@@ -194,7 +205,8 @@ class List(PagesTest):
     def test_hostile_names_are_names(self):
         self.open(sample, asked="#sort=rank")
         names = self.texts("#list tbody tr td:nth-child(2)")[:9]
-        for name in ("<script>alert(1)</script>", "'; DROP TABLE findings; --", "\"quotes\" & 'more' <b>", "{{data}}", "two\nlines"):
+        for name in ("<script>alert(1)</script>", "'; DROP TABLE findings; --", "\"quotes\" & 'more' <b>", "{{data}}",
+                     "two\nlines"):
             self.assertIn(name, names)
             browser.execute_script("""const s = document.getElementById('tracer'); s.value = arguments[0];
                                       s.dispatchEvent(new Event('change'));""", name)
@@ -237,7 +249,8 @@ class Finding(PagesTest):
             self.open(found, page)
             self.assertTrue(self.texts("svg"))
             outside = browser.execute_script("""
-                return [...document.querySelectorAll('svg')].flatMap(svg => [...svg.querySelectorAll('text')].filter(text => {
+                const drawings = [...document.querySelectorAll('svg')];
+                return drawings.flatMap(svg => [...svg.querySelectorAll('text')].filter(text => {
                   const inner = text.getBoundingClientRect(), outer = svg.getBoundingClientRect();
                   return inner.left < outer.left - 2 || inner.right > outer.right + 2 || inner.top < outer.top - 2 ||
                          inner.bottom > outer.bottom + 2;
@@ -246,14 +259,16 @@ class Finding(PagesTest):
         self.picture("finding")
 
     def test_copies(self):
-        browser.execute_cdp_cmd("Browser.grantPermissions", {"permissions": ["clipboardReadWrite", "clipboardSanitizedWrite"]})
+        browser.execute_cdp_cmd("Browser.grantPermissions",
+                                {"permissions": ["clipboardReadWrite", "clipboardSanitizedWrite"]})
         page = self.finding_pages(found)[0]
         self.open(found, page)
         for button in browser.find_elements(By.CSS_SELECTOR, "button.copy"):
             wanted = self.texts("#" + button.get_attribute("data-copy"))[0]
             button.send_keys(Keys.ENTER)
             WebDriverWait(browser, 10).until(lambda _: button.text == "Copied")
-            self.assertEqual(browser.execute_async_script("navigator.clipboard.readText().then(arguments[0])"), wanted)
+            copied = browser.execute_async_script("navigator.clipboard.readText().then(arguments[0])")
+            self.assertEqual(copied, wanted)
             self.assertEqual(self.one("#said").get_attribute("textContent"), "Copied")
         self.assertIn("plumbline replay", browser.find_element(By.ID, "replay").text)
 
@@ -262,8 +277,8 @@ class Finding(PagesTest):
             self.open(found, page)
             for block in self.texts("#explain-worst") + self.texts("#replay"):
                 self.assertTrue(block.startswith("plumbline "))
-                done = subprocess.run(["bash", "-c", 'plumbline() { "$PROGRAM" "$@"; }; ' + block], cwd=found, capture_output=True,
-                                      text=True, env={**os.environ, "PROGRAM": PROGRAM})
+                done = subprocess.run(["bash", "-c", 'plumbline() { "$PROGRAM" "$@"; }; ' + block], cwd=found,
+                                      capture_output=True, text=True, env={**os.environ, "PROGRAM": PROGRAM})
                 self.assertEqual(done.returncode, 0, block + done.stderr)
 
     def test_repros_of_hostile_tracers(self):
@@ -300,7 +315,8 @@ class Screens(PagesTest):
             return [255, 255, 255];
           };
           const seen = [];
-          for (const e of document.querySelectorAll('p, td, th, dt, dd, a, button, summary, span, figcaption, pre, h1, h2')) {
+          const all = 'p, td, th, dt, dd, a, button, summary, span, figcaption, pre, h1, h2';
+          for (const e of document.querySelectorAll(all)) {
             if (!e.textContent.trim() || !e.getClientRects().length) continue;
             const [x, y] = [luminance(numbers(getComputedStyle(e).color)), luminance(behind(e))];
             seen.push([(Math.max(x, y) + 0.05) / (Math.min(x, y) + 0.05), e.textContent.slice(0, 40)]);
@@ -310,7 +326,7 @@ class Screens(PagesTest):
     def test_light_and_dark_are_legible(self):
         papers = set()
         for scheme in ("light", "dark"):
-            browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": scheme}]})
+            self.scheme(scheme)
             for folder, page in self.pages()[1:4]:
                 self.open(folder, page)
                 ratio, text = self.contrasts()
@@ -321,7 +337,7 @@ class Screens(PagesTest):
 
     def test_the_shades_of_the_map_differ_in_grey(self):
         for scheme in ("light", "dark"):
-            browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": scheme}]})
+            self.scheme(scheme)
             self.open(found)
             greys = browser.execute_script("""
               return [...document.querySelectorAll('#legend span')].map(e => {
@@ -351,7 +367,9 @@ class Screens(PagesTest):
     def test_print_hides_what_can_only_be_clicked(self):
         browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print", "features": []})
         self.open(found, self.finding_pages(found)[0])
-        self.assertEqual([b.is_displayed() for b in browser.find_elements(By.CSS_SELECTOR, "button.copy, nav.pages")].count(True), 0)
+        hidden = browser.find_elements(By.CSS_SELECTOR, "button.copy, nav.pages")
+        self.assertTrue(hidden)
+        self.assertFalse(any(e.is_displayed() for e in hidden))
         browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "", "features": []})
 
     def test_nothing_is_fetched(self):

@@ -1,5 +1,5 @@
-// Pages of findings that were never found, for browser_test.py: of every hostile name one, with a repro of every form, and
-// many more. Arguments: a folder that is there, and how many more.
+// Pages of findings that were never found, for browser_test.py: of every hostile name one, with a repro of every
+// form, and many more. Arguments: a folder that is there, and how many more.
 #include <cstdlib>
 #include <fstream>
 
@@ -21,8 +21,11 @@ int main(int argc, char** argv) {
     rows.push_back(std::move(row));
     ++hostile;
   }
-  const std::vector<SearchRow> searches = {{.tracer = hostile_names().front(), .source = hostile_names().back(),
-                                            .ended = "2026-01-02T03:04:05Z", .executions = 1000000, .worst_nominal_ulps = 3}};
+  const std::vector<SearchRow> searches = {{.tracer = hostile_names().front(),
+                                            .source = hostile_names().back(),
+                                            .ended = "2026-01-02T03:04:05Z",
+                                            .executions = 1000000,
+                                            .worst_nominal_ulps = 3}};
   PageOptions options;
   options.pages = hostile + 3;
   options.tracers = {tracer_named("exact")};
