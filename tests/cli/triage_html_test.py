@@ -84,6 +84,22 @@ class TriageHtmlTest(unittest.TestCase):
         self.assertIn("It meets the border exactly.", page)
         self.assertIn("No search is recorded", (self.pages / "index.html").read_text())
 
+    def test_a_tracer_of_ones_own(self):
+        program = self.write("#!/usr/bin/python3\nimport json, sys\nfor line in sys.stdin:\n"
+                             "    print(json.dumps({'id': json.loads(line)['id'], 'hit': True}), flush=True)\n", "hits")
+        program.chmod(0o755)
+        name = f"pipe:{program}"
+        done = plumbline("fuzz", "--tracer", name, "--runs", 300, "-o", self.scratch / "mine")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = self.html(self.scratch / "mine", "--tracer", name, "--pages", 2)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        page = next(self.pages.glob("finding-*.html")).read_text()
+        self.assertIn(f"<code>{name}</code> calls this a hit", page)
+        self.assertIn(f"--tracer {name}<", page)
+        self.assertIn("cases beside it, one ulp away", page)
+        # Without it, its cases can't be asked.
+        self.assertIn("not in this build", self.html(self.scratch / "mine").stderr)
+
     def test_a_clean_campaign(self):
         campaign = self.campaign("exact", 500)
         done = self.html(campaign)
