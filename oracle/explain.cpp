@@ -47,9 +47,10 @@ class Lines {
   std::string text_;
 };
 
-std::string side(const Dyadic& w, const Dyadic& det) {
-  const int s = w.sign() * det.sign();
-  return s > 0 ? "the sign of det: inner side" : s < 0 ? "against the sign of det: outer side" : "zero: on the edge line";
+ExactNumber exact_number(const Dyadic& x) { return {.exact = dyadic(x), .sign = x.sign()}; }
+
+ExactRatio exact_ratio(const Quotient& x) {
+  return {.exact = fraction(x), .binary64 = rounded<double>(x), .binary32 = rounded<float>(x)};
 }
 
 std::string where(const Truth& truth) {
@@ -76,9 +77,13 @@ std::string versus_range(const Quotient& t, const Ray& ray) {
   return "t_min < t < t_max";
 }
 
-void add_coordinate(Lines& lines, std::string_view label, const Quotient& x) {
-  lines.add(label, "{}", fraction(x));
-  lines.add("", "binary64 {}   binary32 {:a}", number(rounded<double>(x)), rounded<float>(x));
+void add_side(Lines& lines, std::string_view label, const ExactNumber& w, const ExactNumber& det) {
+  lines.add(label, "{}   ({})", w.exact, side(w.sign, det.sign));
+}
+
+void add_coordinate(Lines& lines, std::string_view label, const ExactRatio& x) {
+  lines.add(label, "{}", x.exact);
+  lines.add("", "binary64 {}   binary32 {:a}", number(x.binary64), x.binary32);
 }
 
 void add_contact(Lines& lines, const ExactCase& x, const Ray& ray) {
@@ -103,6 +108,31 @@ std::string condition_words(const Condition& c) {
 
 }  // namespace
 
+std::string_view side(int w_sign, int det_sign) {
+  const int s = w_sign * det_sign;
+  return s > 0 ? "the sign of det: inner side" : s < 0 ? "against the sign of det: outer side" : "zero: on the edge line";
+}
+
+Certificate certificate(const Triangle& triangle, const Query& query) {
+  Certificate c;
+  c.truth = classify(triangle, query);
+  c.where = where(c.truth);
+  if (c.truth.hit_class == HitClass::invalid) return c;
+  c.hit = hit(triangle, query, c.truth);
+  const ExactCase x(triangle, query);
+  c.det = exact_number(x.det);
+  c.T = exact_number(x.T);
+  c.w_ab = exact_number(x.w_ab);
+  c.w_bc = exact_number(x.w_bc);
+  c.w_ca = exact_number(x.w_ca);
+  if (x.det.sign() == 0) return c;
+  c.t = exact_ratio(x.t());
+  c.u = exact_ratio(x.u());
+  c.v = exact_ratio(x.v());
+  c.range = versus_range(x.t(), query.ray);
+  return c;
+}
+
 std::string explain(const Triangle& triangle, const Query& query) {
   const Ray& ray = query.ray;
   Lines lines;
@@ -113,30 +143,28 @@ std::string explain(const Triangle& triangle, const Query& query) {
   lines.add("direction", "{}", point(ray.direction));
   if (query.has_tail()) lines.add("", "+ {}", point(query.direction_tail));
   lines.add("range", "{:a} {:a}   ({}, {})", ray.t_min, ray.t_max, ray.t_min, ray.t_max);
-  const Truth truth = classify(triangle, query);
-  if (truth.hit_class == HitClass::invalid) {
-    lines.add("class", "invalid: {}", reason(truth.invalid));
+  const Certificate c = certificate(triangle, query);
+  if (c.truth.hit_class == HitClass::invalid) {
+    lines.add("class", "invalid: {}", c.where);
     return lines.take();
   }
-  const ExactCase x(triangle, query);
-  lines.add("det", "{}", dyadic(x.det));
-  lines.add("T", "{}", dyadic(x.T));
-  if (x.det.sign() != 0) {
-    lines.add("w_ab", "{}   ({})", dyadic(x.w_ab), side(x.w_ab, x.det));
-    lines.add("w_bc", "{}   ({})", dyadic(x.w_bc), side(x.w_bc, x.det));
-    lines.add("w_ca", "{}   ({})", dyadic(x.w_ca), side(x.w_ca, x.det));
+  lines.add("det", "{}", c.det.exact);
+  lines.add("T", "{}", c.T.exact);
+  if (c.det.sign != 0) {
+    add_side(lines, "w_ab", c.w_ab, c.det);
+    add_side(lines, "w_bc", c.w_bc, c.det);
+    add_side(lines, "w_ca", c.w_ca, c.det);
   }
-  lines.add("class", "{}: {}", name(truth.hit_class), where(truth));
-  if (x.det.sign() != 0) {
-    add_coordinate(lines, "t = T/det", x.t());
-    lines.add("", "{}", versus_range(x.t(), ray));
-    add_coordinate(lines, "u", x.u());
-    add_coordinate(lines, "v", x.v());
-  } else if (truth.hit_class != HitClass::parallel) {
-    add_contact(lines, x, ray);
+  lines.add("class", "{}: {}", name(c.truth.hit_class), c.where);
+  if (c.det.sign != 0) {
+    add_coordinate(lines, "t = T/det", *c.t);
+    lines.add("", "{}", c.range);
+    add_coordinate(lines, "u", *c.u);
+    add_coordinate(lines, "v", *c.v);
+  } else if (c.truth.hit_class != HitClass::parallel) {
+    add_contact(lines, ExactCase(triangle, query), ray);
   }
-  const auto is_hit = hit(triangle, query, truth);
-  lines.add("hit", "{}", !is_hit ? "open: contact without a crossing" : *is_hit ? "yes" : "no");
+  lines.add("hit", "{}", !c.hit ? "open: contact without a crossing" : *c.hit ? "yes" : "no");
   return lines.take();
 }
 

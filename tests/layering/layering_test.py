@@ -1,5 +1,5 @@
-"""Who may include whom: case -> oracle | float_tracer -> analysis -> fuzz -> cli, one way only. The oracle and the
-tracers share no arithmetic, so neither includes the other."""
+"""Who may include whom: case -> oracle | float_tracer -> analysis -> repros -> findings -> fuzz -> cli, one way only. The
+oracle and the tracers share no arithmetic, so neither includes the other."""
 import pathlib
 import re
 import unittest
@@ -10,8 +10,10 @@ MAY_INCLUDE = {
     "oracle": {"case", "oracle"},
     "float_tracer": {"case", "float_tracer"},
     "analysis": {"case", "oracle", "float_tracer", "analysis"},
-    "fuzz": {"case", "oracle", "float_tracer", "analysis", "fuzz"},
-    "cli": {"case", "oracle", "float_tracer", "analysis", "fuzz", "cli"},
+    "repros": {"case", "oracle", "float_tracer", "analysis", "repros"},
+    "findings": {"case", "oracle", "float_tracer", "analysis", "repros", "findings"},
+    "fuzz": {"case", "oracle", "float_tracer", "analysis", "repros", "findings", "fuzz"},
+    "cli": {"case", "oracle", "float_tracer", "analysis", "repros", "findings", "fuzz", "cli"},
     "install": {"case", "oracle"},
 }
 # Libraries that these folders alone may name: what is exact stays in the oracle and in what it is compared with, what

@@ -1,0 +1,97 @@
+#include "findings/case_rows.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "analysis/ask.h"
+#include "analysis/case_files.h"
+#include "analysis/examine.h"
+#include "analysis/shrink.h"
+#include "analysis/tracers.h"
+#include "case/case_text.h"
+#include "case/input_error.h"
+
+namespace plumbline {
+namespace {
+
+// The case, put at the tracer's precision.
+void add(CaseRows& into, std::map<std::pair<std::string, std::string>, std::size_t>& places, const Tracer& tracer,
+         Case put, const std::string& seen) {
+  const Examination e = Examiner(tracer).examine(put.bag.triangles.front(), put.ray);
+  const auto s = signature(e, put.aim ? put.aim->wish : Wish::none);
+  if (!s) {
+    ++into.right;
+    return;
+  }
+  const auto input = from_case(put, Space::ray, put.precision);
+  FoundCase found{.ulps = finding_ulps(e, *s), .bits = input ? significant_bits(*input) : 0, .what = std::move(put)};
+  const std::string &who = tracer.info().name, word = to_word(*s);
+  const auto [place, added] = places.emplace(std::pair(who, word), into.rows.size());
+  if (added) {
+    FindingRow row;
+    row.id = static_cast<std::int64_t>(into.rows.size()) + 1;
+    row.tracer = who;
+    row.signature = word;
+    row.kind = s->kind;
+    row.element = s->element;
+    row.conditioning = s->conditioning;
+    row.worst = row.simplest = found;
+    row.first_seen = row.last_seen = seen;
+    into.rows.push_back(std::move(row));
+  }
+  FindingRow& row = into.rows[place->second];
+  ++row.count;
+  row.first_seen = std::min(row.first_seen, seen);
+  row.last_seen = std::max(row.last_seen, seen);
+  if (found.bits < row.simplest.bits) row.simplest = found;
+  if (found.ulps > row.worst.ulps) row.worst = std::move(found);
+}
+
+}  // namespace
+
+CaseRows rows_of_cases(const std::vector<CasePath>& paths) {
+  CaseRows all;
+  std::map<std::pair<std::string, std::string>, std::size_t> places;
+  for (const CasePath& from : paths) {
+    for (const std::string& file : case_files(from.path)) {
+      const std::string seen = time_of(file);
+      for (const Case& c : read_cases(file)) {
+        if (c.bag.triangles.size() != 1)
+          throw InputError(
+              fmt::format("{}: case '{}' has {} triangles; a finding is of one", file, c.id, c.bag.triangles.size()));
+        std::set<std::string> names;
+        for (const Known& known : c.known) names.insert(known.tracer);
+        if (!from.tracer.empty()) names.insert(from.tracer);
+        for (const std::string& name : names) {
+          const Tracer* const tracer = tracer_named(name);
+          if (!tracer) {
+            ++all.unknown[name];
+            continue;
+          }
+          Case put = put_at(c, tracer->info().contract.precision);
+          put.precision = tracer->info().contract.precision;
+          add(all, places, *tracer, std::move(put), seen);
+        }
+      }
+    }
+  }
+  return all;
+}
+
+std::string time_of(const std::string& file) {
+  std::error_code error;
+  const auto written = std::filesystem::last_write_time(file, error);
+  if (error) return "";
+  const auto utc = std::chrono::file_clock::to_sys(written);
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                     fmt::gmtime(std::chrono::system_clock::to_time_t(
+                         std::chrono::time_point_cast<std::chrono::system_clock::duration>(utc))));
+}
+
+}  // namespace plumbline

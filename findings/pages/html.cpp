@@ -1,0 +1,70 @@
+#include "findings/pages/html.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace plumbline {
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      case '\'': out += "&#39;"; break;
+      case '\n':
+      case '\t': out += c; break;
+      default:
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+          out += "\xef\xbf\xbd";
+        else
+          out += c;
+    }
+  }
+  return out;
+}
+
+std::string json_in_html(std::string json) {
+  std::string out;
+  out.reserve(json.size());
+  for (const char c : json) {
+    if (c == '<')
+      out += "\\u003c";
+    else
+      out += c;
+  }
+  return out;
+}
+
+std::string shell_word(std::string_view text) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=+-";
+  if (!text.empty() && text.find_first_not_of(plain) == std::string_view::npos) return std::string(text);
+  std::string out = "'";
+  for (const char c : text) {
+    if (c == '\'')
+      out += "'\\''";
+    else
+      out += c;
+  }
+  return out + "'";
+}
+
+std::string filled(std::string_view page,
+                   std::initializer_list<std::pair<std::string_view, std::string_view>> values) {
+  std::string out;
+  for (;;) {
+    const auto at = page.find("{{");
+    if (at == std::string_view::npos) return out.append(page);
+    const auto end = page.find("}}", at);
+    const auto name = page.substr(at + 2, end - at - 2);
+    const auto* const value = std::ranges::find(values, name, [](const auto& v) { return v.first; });
+    if (end == std::string_view::npos || value == values.end())
+      throw std::logic_error("a page's template names what there is not: " + std::string(name));
+    out.append(page.substr(0, at)).append(value->second);
+    page.remove_prefix(end + 2);
+  }
+}
+
+}  // namespace plumbline
