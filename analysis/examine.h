@@ -38,14 +38,18 @@ struct Examination {
 /// Whose margins are wanted.
 enum class Measure : unsigned char { all, wrong_answers };
 
+/// An answer that was given, `asked` being what the tracer was really asked of `ray`. What only the tracer itself can
+/// tell stays unknown: by which of its tests it missed, over- and underflow, death.
+Examination examine(const Triangle& triangle, const Ray& ray, const Query& asked, const Answer& answer,
+                    const Contract& contract, Measure measure = Measure::all);
+
 class Examiner {
  public:
-  explicit Examiner(const Tracer& tracer, Measure measure = Measure::all);
+  /// `object` is what the triangle is: a surface, a plate and so on; its triangles aren't looked at.
+  explicit Examiner(const Tracer& tracer, Measure measure = Measure::all, Bag object = {});
 
   /// The numbers are of the tracer's precision. The tracer is asked with a bag of its own.
   Examination examine(const Triangle& triangle, const Ray& ray);
-  /// The same of a bag of one triangle, whose mode some tracers read.
-  Examination examine(const Bag& bag, const Ray& ray);
 
   const Tracer& tracer() const { return tracer_; }
   /// What the tracer did up to now.

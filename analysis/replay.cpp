@@ -34,10 +34,8 @@ std::string explain_command(const ReplayedCase& at, const Tracer* tracer) {
 class Replay {
  public:
   explicit Replay(const std::vector<const Tracer*>& tracers) : tracers_(tracers) {
-    for (const Tracer* tracer : tracers) {
-      summary_.tracers.push_back(tracer->info().name);
-      examiners_.emplace_back(*tracer, Measure::wrong_answers);
-    }
+    for (const Tracer* tracer : tracers) summary_.tracers.push_back(tracer->info().name);
+    summary_.conduct.resize(tracers.size());
   }
 
   void run(const std::string& file, const std::vector<PlacedCase>& cases) {
@@ -49,10 +47,7 @@ class Replay {
     }
   }
 
-  ReplaySummary take() {
-    for (const Examiner& examiner : examiners_) summary_.conduct.push_back(examiner.conduct());
-    return std::move(summary_);
-  }
+  ReplaySummary take() { return std::move(summary_); }
 
  private:
   void run(const Case& asked) {
@@ -84,7 +79,9 @@ class Replay {
     const Tracer& tracer = *tracers_[index];
     const Contract& contract = tracer.info().contract;
     const Case put = put_at(asked, contract.precision);
-    const Examination e = examiners_[index].examine(put.bag, put.ray);
+    Examiner examiner(tracer, Measure::wrong_answers, put.bag);
+    const Examination e = examiner.examine(put.bag.triangles.front(), put.ray);
+    summary_.conduct[index] += examiner.conduct();
     ReplayResult result;
     result.which = which;
     result.tracer = index;
@@ -102,7 +99,6 @@ class Replay {
   }
 
   const std::vector<const Tracer*>& tracers_;
-  std::vector<Examiner> examiners_;
   ReplaySummary summary_;
 };
 

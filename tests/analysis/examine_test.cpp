@@ -201,7 +201,7 @@ TEST(Examine, ARealKernel) {
   EXPECT_NE(e.rejection, Rejection::none);
 }
 
-TEST(Examine, ABagComesToTheTracerWhole) {
+TEST(Examine, TheTracerIsToldWhatTheTriangleIs) {
   struct HitsPlates final : Tracer {
     HitsPlates() : Tracer({.name = "plates", .summary = "", .source = "", .contract = {}}) {}
     std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override {
@@ -210,11 +210,10 @@ TEST(Examine, ABagComesToTheTracerWhole) {
     FixedTracer hits{{a_hit}}, misses{{a_miss}};
   };
   const HitsPlates tracer;
-  Examiner examiner(tracer);
-  const Examination e = examiner.examine({.triangles = {flat}, .mode = BagMode::plate, .thickness = 0.5}, down(1, 2));
-  EXPECT_EQ(e.verdict, VerdictKind::correct);
-  EXPECT_EQ(e.triangle, flat);
-  EXPECT_EQ(examiner.examine(flat, down(1, 2)).verdict, VerdictKind::false_miss);
+  Examiner of_plates(tracer, Measure::all, {.triangles = {}, .mode = BagMode::plate, .thickness = 0.5});
+  Examiner of_surfaces(tracer);
+  EXPECT_EQ(of_plates.examine(flat, down(1, 2)).verdict, VerdictKind::correct);
+  EXPECT_EQ(of_surfaces.examine(flat, down(1, 2)).verdict, VerdictKind::false_miss);
 }
 
 }  // namespace
