@@ -28,9 +28,9 @@ void require_one_valid_triangle(const Case& what) {
 
 void require_precision(const Case& what, Precision precision, std::string_view tracer) {
   if (at_precision(what.bag, precision) == what.bag && at_precision(what.ray, precision) == what.ray) return;
-  throw InputError(fmt::format("case '{}' has numbers that are not {}, which {} reads; export it for a tracer that reads "
-                               "binary64, or round it first",
-                               what.id, name(precision), tracer));
+  throw InputError(fmt::format("case '{}' has numbers that are not {}, which {} reads; round it ('plumbline generate CASE "
+                               "--precision {} | plumbline convert -'), or export it for a tracer that reads binary64",
+                               what.id, name(precision), tracer, name(precision)));
 }
 
 Duty with_slack(Duty duty, const Evidence& e) {
@@ -100,9 +100,10 @@ std::string headline(const Evidence& e) {
     if (e.duty == Duty::any) return fmt::format("{} leaves open what it says of this ray: no answer is wrong.", who);
     return fmt::format("{} gets this ray right.", who);
   }
+  const std::string by = e.ulps > 0 ? fmt::format(" by {:.4g} ulps of the largest coordinate", e.ulps) : "";
   switch (*e.wrong) {
-    case FindingKind::false_hit: return fmt::format("{} hits a triangle that the ray misses: a false hit.", who);
-    case FindingKind::false_miss: return fmt::format("{} misses a triangle that the ray hits: a false miss.", who);
+    case FindingKind::false_hit: return fmt::format("{} hits a triangle that the ray misses: a false hit{}.", who, by);
+    case FindingKind::false_miss: return fmt::format("{} misses a triangle that the ray hits: a false miss{}.", who, by);
     case FindingKind::displaced:
       return fmt::format("{} hits rightly, but puts the hit {:.4g} ulps of the largest coordinate away.", who, e.ulps);
     case FindingKind::not_finite: return fmt::format("{} hits rightly, but its t, u or v is no finite number.", who);

@@ -1,4 +1,4 @@
-"""Who may include whom: case -> oracle | float_tracer -> analysis -> fuzz -> cli, one way only. The oracle and the
+"""Who may include whom: case -> oracle | float_tracer -> analysis -> repros -> fuzz -> cli, one way only. The oracle and the
 tracers share no arithmetic, so neither includes the other."""
 import pathlib
 import re
@@ -10,8 +10,9 @@ MAY_INCLUDE = {
     "oracle": {"case", "oracle"},
     "float_tracer": {"case", "float_tracer"},
     "analysis": {"case", "oracle", "float_tracer", "analysis"},
+    "repros": {"case", "oracle", "float_tracer", "analysis", "repros"},
     "fuzz": {"case", "oracle", "float_tracer", "analysis", "fuzz"},
-    "cli": {"case", "oracle", "float_tracer", "analysis", "fuzz", "cli"},
+    "cli": {"case", "oracle", "float_tracer", "analysis", "repros", "fuzz", "cli"},
 }
 # Libraries that these folders alone may name: what is exact stays in the oracle and in what it is compared with, what
 # parses stays at the border.
@@ -33,11 +34,12 @@ ONLY_IN = {
     r"boost/.*": {"analysis/bench/rivals"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
+RAW_STRING = re.compile(r'R"(\w*)\(.*?\)\1"', re.S)  # the text of a program, in repros/
 
 
 def violations(folder, text):
     found = []
-    for kind, name in INCLUDE.findall(text):
+    for kind, name in INCLUDE.findall(RAW_STRING.sub("", text)):
         if kind == '"':
             target = name.split("/")[0]
             if target not in MAY_INCLUDE[folder.split("/")[0]]:
@@ -73,6 +75,8 @@ class Layering(unittest.TestCase):
         self.assertTrue(violations("float_tracer/adapters", "#include <CGAL/AABB_tree.h>\n"))
         self.assertFalse(violations("analysis/bench/rivals", "#include <CGAL/Gmpq.h>\n"))
         self.assertFalse(violations("analysis", '#include "oracle/truth.h"\n#include <vector>\n'))
+        self.assertTrue(violations("repros", '#include <glm/glm.hpp>\nx = R"(y)";\n'))
+        self.assertFalse(violations("repros", 'x = R"py(\n#include <glm/glm.hpp>\n)")py";\n'))
 
     def test_headers_have_a_contract_on_top(self):
         for folder in MAY_INCLUDE:
