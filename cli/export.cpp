@@ -26,7 +26,8 @@ Case case_of(const Options& options) {
     throw InputError(options.id.empty() ? fmt::format("{}: no case in this file", options.file)
                                         : fmt::format("{}: no case '{}' in this file", options.file, options.id));
   if (cases.size() > 1)
-    throw InputError(fmt::format("{}: {} cases in this file, and an export is of one; say which with --id", options.file, cases.size()));
+    throw InputError(fmt::format("{}: {} cases in this file, and an export is of one; say which with --id",
+                                 options.file, cases.size()));
   return std::move(cases.front());
 }
 
@@ -43,8 +44,8 @@ std::string tracer_of(const Options& options, const Case& c, ReproForm form) {
     if (!is_program(form) || repro_form_of(known.tracer) == form) suitable.push_back(known.tracer);
   if (suitable.size() == 1) return suitable.front();
   if (suitable.empty() || !is_program(form)) return "";
-  throw InputError(fmt::format("{}: case '{}' has several lines 'known' for {}, of {} first; say whose with --tracer", options.file,
-                               c.id, name(form), suitable.front()));
+  throw InputError(fmt::format("{}: case '{}' has several lines 'known' for {}, of {} first; say whose with --tracer",
+                               options.file, c.id, name(form), suitable.front()));
 }
 
 void run(const Options& options) {
@@ -59,7 +60,8 @@ void run(const Options& options) {
 }  // namespace
 
 void add_export(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("export", "A finding as a program, a proof or a scene that needs nothing of ours");
+  CLI::App* verb =
+      app.add_subcommand("export", "A finding as a program, a proof or a scene that needs nothing of ours");
   auto options = std::make_shared<Options>();
   Options& o = *options;
   verb->add_option("CASE", o.file, "A .case file; '-' is standard input")->required();
@@ -75,15 +77,19 @@ void add_export(CLI::App& app) {
       ->capture_default_str();
   add_tracer_timeout(*verb, o.foreign);
   verb->footer(
-      "What a maintainer can run. Each names at its top what is wrong, how to build it, the exact truth, the margin, and the\n"
+      "What a maintainer can run. Each names at its top what is wrong, how to build it, the exact truth, the margin, "
+      "and the\n"
       "contract under which the answer is wrong. Numbers lose no bit.\n"
       "  cpp-embree, cpp-cgal, cpp-bullet, cpp-glm, js-three, c-librt\n"
-      "                asks that library as the tracer does (its flags, instruction set, packet; its kernel, its precision);\n"
+      "                asks that library as the tracer does (its flags, instruction set, packet; its kernel, its "
+      "precision);\n"
       "                a tracer of another library, or none, stands for the library's usual call\n"
-      "  cpp-plain     a textbook kernel written out: moller_trumbore, woop_watertight, plucker, baldwin_weber (_f32, _f64)\n"
+      "  cpp-plain     a textbook kernel written out: moller_trumbore, woop_watertight, plucker, baldwin_weber "
+      "(_f32, _f64)\n"
       "  python-proof  proves in exact fractions what is true, with Python alone, and says what was said\n"
       "  obj, ply, asc the triangles and the ray for a viewer, a mesh reader, BRL-CAD's asc2g\n"
-      "A program exits with 1 while the answer is wrong, with 0 once it is right, with 2 if it could not ask. A proof exits with\n"
+      "A program exits with 1 while the answer is wrong, with 0 once it is right, with 2 if it could not ask. A "
+      "proof exits with\n"
       "0 if every step holds. docs/repros.md shows the build commands.\n\n" +
       std::string(foreign_tracers_help) +
       "\nExample:\n"

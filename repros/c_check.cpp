@@ -9,7 +9,8 @@
 namespace plumbline {
 namespace {
 
-constexpr std::string_view main_text = R"(static bool is_near(const char* name, double got, double exact, double leeway) {
+constexpr std::string_view main_text =
+    R"(static bool is_near(const char* name, double got, double exact, double leeway) {
   const bool near_enough = fabs(got - exact) <= leeway;  // a NaN isn't
   printf("  %s = %-24a (%.17g), expected %a (%.17g)%s\n", name, got, got, exact, exact, near_enough ? "" : ": WRONG");
   return near_enough;

@@ -1,5 +1,5 @@
-// What the programs in C and C++ have in common: the numbers of the case, and the check of what a function `ask` says. The
-// text is C and C++ alike. Private to repros/.
+// What the programs in C and C++ have in common: the numbers of the case, and the check of what a function `ask`
+// says. The text is C and C++ alike. Private to repros/.
 #pragma once
 #include <string>
 
@@ -17,8 +17,8 @@ std::string c_triangle(const Evidence& evidence, std::string_view type);
 std::string c_ray(const Evidence& evidence, std::string_view type);
 std::string c_range(const Evidence& evidence, std::string_view type);
 
-/// Declares `Answer` and main, which calls `Answer ask(void)`: exit code 0 if the answer is right, else 1. The includes are
-/// math.h, stdbool.h and stdio.h.
+/// Declares `Answer` and main, which calls `Answer ask(void)`: exit code 0 if the answer is right, else 1. The
+/// includes are math.h, stdbool.h and stdio.h.
 std::string c_answer();
 std::string c_main(const Evidence& evidence, Told told);
 

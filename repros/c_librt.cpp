@@ -1,5 +1,5 @@
-// As float_tracer/adapters/brlcad.cpp asks BRL-CAD's librt: a BoT of one triangle alone in a database in memory. What librt
-// promises is told here as well, since few builds have it.
+// As float_tracer/adapters/brlcad.cpp asks BRL-CAD's librt: a BoT of one triangle alone in a database in memory. What
+// librt promises is told here as well, since few builds have it.
 #include <fmt/format.h>
 
 #include "case/input_error.h"
@@ -12,8 +12,13 @@ namespace {
 
 constexpr Contract contract = {.range = RangeRule::ray, .t_min = EndRule::unspecified};
 
+constexpr std::string_view command =
+    "cc -std=gnu11 repro.c -I$BRLCAD/include -I$BRLCAD/include/brlcad -L$BRLCAD/lib -lrt -lbu -lm "
+    "-o repro && LD_LIBRARY_PATH=$BRLCAD/lib ./repro      # BRL-CAD 7.24";
+
 constexpr std::string_view text = R"(@STORY@//
-// Of librt is asked: a ray from t = 0 on meets a closed triangle. Contact in its plane is no hit; of t = 0 nothing is said.
+// What librt is held to: a ray from t = 0 on meets a closed triangle. Contact in its plane is no hit, and of t = 0
+// nothing is said.
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -95,12 +100,12 @@ std::string orientation(Orientation o) {
 
 std::string c_librt(const Case& what, std::string_view tracer) {
   if (what.bag.mode == BagMode::plate)
-    throw InputError(fmt::format("case '{}' is a plate, and c-librt tells surfaces and solids; export it as asc", what.id));
-  const Evidence e = gather(what, tracer, contract);
+    throw InputError(
+        fmt::format("case '{}' is a plate, and c-librt tells surfaces and solids; export it as asc", what.id));
+  const Evidence e = gather_to_ask(what, tracer, contract);
   constexpr std::string_view type = "static const double";
   const bool solid = what.bag.mode == BagMode::solid;
-  return fill(text, {{"STORY", commented(story(e, "cc -std=gnu11 repro.c -I$BRLCAD/include -I$BRLCAD/include/brlcad -L$BRLCAD/lib -lrt -lbu -lm "
-                                                  "-o repro && LD_LIBRARY_PATH=$BRLCAD/lib ./repro      # BRL-CAD 7.24"), "// ")},
+  return fill(text, {{"STORY", commented(story(e, command), "// ")},
                      {"CASE", c_triangle(e, type) + c_ray(e, type)},
                      {"ANSWER", c_answer()},
                      {"MODE", solid ? "SOLID" : "SURFACE"},

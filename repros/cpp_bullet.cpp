@@ -10,6 +10,10 @@
 namespace plumbline {
 namespace {
 
+constexpr std::string_view command =
+    "g++ -std=c++17 -O2 repro.cpp $(pkg-config --cflags --libs bullet) -o "
+    "repro && ./repro      # libbullet-dev";
+
 constexpr std::string_view text = R"(@STORY@
 #include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 #include <math.h>
@@ -49,12 +53,13 @@ static Answer ask() {
 }  // namespace
 
 std::string cpp_bullet(const Case& what, std::string_view tracer) {
-  const Evidence e = gather(what, tracer);
+  const Evidence e = gather_to_ask(what, tracer);
   constexpr std::string_view type = "static const float";
   const auto ends = segment_of(e.ray(), largest_coordinate(e.what.bag), Precision::binary32);
-  if (!ends) throw InputError(fmt::format("case '{}': no segment of floats is this ray; cpp-bullet needs one", what.id));
+  if (!ends)
+    throw InputError(fmt::format("case '{}': no segment of floats is this ray; cpp-bullet needs one", what.id));
   const auto numbers = [](const Vec3& v) { return c_numbers(v, Precision::binary32); };
-  return fill(text, {{"STORY", commented(story(e, "g++ -std=c++17 -O2 repro.cpp $(pkg-config --cflags --libs bullet) -o repro && ./repro      # libbullet-dev"), "// ")},
+  return fill(text, {{"STORY", commented(story(e, command), "// ")},
                      {"TRIANGLE", c_triangle(e, type)},
                      {"RAY", commented(c_ray(e, "float") + c_range(e, "float"), "//   ")},
                      {"FROM", numbers(ends->from)},

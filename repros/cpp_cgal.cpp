@@ -6,6 +6,9 @@
 namespace plumbline {
 namespace {
 
+constexpr std::string_view command =
+    "g++ -std=c++17 -O2 -frounding-math repro.cpp -lmpfr -lgmp -o repro && ./repro      # libcgal-dev";
+
 constexpr std::string_view text = R"(@STORY@
 #include <@HEADER@>
 #include <CGAL/Intersections_3/Ray_3_Triangle_3.h>
@@ -33,10 +36,11 @@ struct Kernel {
   std::string_view tracer, header, name;
 };
 
-constexpr Kernel kernels[] = {
-    {"cgal_cartesian_f64", "CGAL/Simple_cartesian.h", "Simple_cartesian<double>"},
-    {"cgal_epick", "CGAL/Exact_predicates_inexact_constructions_kernel.h", "Exact_predicates_inexact_constructions_kernel"},
-    {"cgal_epeck", "CGAL/Exact_predicates_exact_constructions_kernel.h", "Exact_predicates_exact_constructions_kernel"}};
+constexpr Kernel kernels[] = {{"cgal_cartesian_f64", "CGAL/Simple_cartesian.h", "Simple_cartesian<double>"},
+                              {"cgal_epick", "CGAL/Exact_predicates_inexact_constructions_kernel.h",
+                               "Exact_predicates_inexact_constructions_kernel"},
+                              {"cgal_epeck", "CGAL/Exact_predicates_exact_constructions_kernel.h",
+                               "Exact_predicates_exact_constructions_kernel"}};
 
 const Kernel& kernel_of(std::string_view tracer) {
   for (const Kernel& kernel : kernels)
@@ -47,10 +51,10 @@ const Kernel& kernel_of(std::string_view tracer) {
 }  // namespace
 
 std::string cpp_cgal(const Case& what, std::string_view tracer) {
-  const Evidence e = gather(what, tracer);
+  const Evidence e = gather_to_ask(what, tracer);
   constexpr std::string_view type = "static const double";
   const Kernel& kernel = kernel_of(tracer);
-  return fill(text, {{"STORY", commented(story(e, "g++ -std=c++17 -O2 -frounding-math repro.cpp -lmpfr -lgmp -o repro && ./repro      # libcgal-dev"), "// ")},
+  return fill(text, {{"STORY", commented(story(e, command), "// ")},
                      {"HEADER", std::string(kernel.header)},
                      {"KERNEL", std::string(kernel.name)},
                      {"CASE", c_triangle(e, type) + c_ray(e, type)},

@@ -7,6 +7,8 @@
 namespace plumbline {
 namespace {
 
+constexpr std::string_view command = "g++ -std=c++17 repro.cpp -lembree3 -o repro && ./repro      # libembree-dev";
+
 constexpr std::string_view text = R"(@STORY@
 #include <embree3/rtcore.h>
 #include <math.h>
@@ -45,7 +47,8 @@ static Answer ask(void) {
 @MAIN@)";
 
 // mask: a build with masks hides what has no bit in common with it.
-constexpr std::string_view ray_text = R"(  @RAY@.org_x@I@ = origin[0], @RAY@.org_y@I@ = origin[1], @RAY@.org_z@I@ = origin[2];
+constexpr std::string_view ray_text =
+    R"(  @RAY@.org_x@I@ = origin[0], @RAY@.org_y@I@ = origin[1], @RAY@.org_z@I@ = origin[2];
   @RAY@.dir_x@I@ = direction[0], @RAY@.dir_y@I@ = direction[1], @RAY@.dir_z@I@ = direction[2];
   @RAY@.tnear@I@ = t_min, @RAY@.tfar@I@ = t_max, @RAY@.mask@I@ = ~0u;
 )";
@@ -57,7 +60,8 @@ constexpr std::string_view single_text = R"(  struct RTCRayHit query = {};
   return answer;
 )";
 
-constexpr std::string_view packet_text = R"(  alignas(64) int valid[@WIDTH@] = {-1};  // the first ray of the packet; the others are off
+constexpr std::string_view packet_text =
+    R"(  alignas(64) int valid[@WIDTH@] = {-1};  // the first ray of the packet; the others are off
   struct RTCRayHit@WIDTH@ query = {};
 @RAY@  query.hit.geomID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect@WIDTH@(valid, scene, &context, &query);
@@ -75,7 +79,8 @@ constexpr std::string_view occluded_text = R"(  struct RTCRay ray = {};
 std::string call_text(std::string_view tracer) {
   const auto ray = [](std::string name, std::string index) { return fill(ray_text, {{"RAY", name}, {"I", index}}); };
   for (const std::string width : {"4", "8", "16"})
-    if (tracer.ends_with("_w" + width)) return fill(packet_text, {{"RAY", ray("query.ray", "[0]")}, {"WIDTH", width}});
+    if (tracer.ends_with("_w" + width))
+      return fill(packet_text, {{"RAY", ray("query.ray", "[0]")}, {"WIDTH", width}});
   if (tracer.ends_with("_occluded")) return fill(occluded_text, {{"RAY", ray("ray", "")}});
   return fill(single_text, {{"RAY", ray("query.ray", "")}});
 }
@@ -89,10 +94,10 @@ std::string isa_of(std::string_view tracer) {
 }  // namespace
 
 std::string cpp_embree(const Case& what, std::string_view tracer) {
-  const Evidence e = gather(what, tracer);
+  const Evidence e = gather_to_ask(what, tracer);
   constexpr std::string_view type = "static const float";
   const bool numbers = !tracer.ends_with("_occluded");
-  return fill(text, {{"STORY", commented(story(e, "g++ -std=c++17 repro.cpp -lembree3 -o repro && ./repro      # libembree-dev"), "// ")},
+  return fill(text, {{"STORY", commented(story(e, command), "// ")},
                      {"CASE", c_triangle(e, type) + c_ray(e, type) + c_range(e, type)},
                      {"ANSWER", c_answer()},
                      {"ISA", isa_of(tracer)},

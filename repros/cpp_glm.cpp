@@ -6,6 +6,9 @@
 namespace plumbline {
 namespace {
 
+constexpr std::string_view command =
+    "g++ -std=c++17 -O2 -ffp-contract=off repro.cpp -o repro && ./repro      # libglm-dev";
+
 constexpr std::string_view text = R"(@STORY@
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtx/intersect.hpp>
@@ -33,9 +36,9 @@ static Answer ask() {
 }  // namespace
 
 std::string cpp_glm(const Case& what, std::string_view tracer) {
-  const Evidence e = gather(what, tracer);
+  const Evidence e = gather_to_ask(what, tracer);
   constexpr std::string_view type = "static const Real";
-  return fill(text, {{"STORY", commented(story(e, "g++ -std=c++17 -O2 -ffp-contract=off repro.cpp -o repro && ./repro      # libglm-dev"), "// ")},
+  return fill(text, {{"STORY", commented(story(e, command), "// ")},
                      {"REAL", e.contract.precision == Precision::binary32 ? "float" : "double"},
                      {"CASE", c_triangle(e, type) + c_ray(e, type) + c_range(e, type)},
                      {"ANSWER", c_answer()},

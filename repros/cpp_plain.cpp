@@ -71,7 +71,8 @@ Real side(Vec p_direction, Vec p_moment, Vec from, Vec to) {
 
 Answer intersect(Vec a, Vec b, Vec c, Vec origin, Vec direction, Real t_min, Real t_max) {
   const Vec moment = cross(origin, direction);
-  const Real wa = side(direction, moment, b, c), wb = side(direction, moment, c, a), wc = side(direction, moment, a, b);
+  const Real wa = side(direction, moment, b, c), wb = side(direction, moment, c, a);
+  const Real wc = side(direction, moment, a, b);
   const bool front = wa >= 0 && wb >= 0 && wc >= 0, back = wa <= 0 && wb <= 0 && wc <= 0;
   if (front == back) return miss;  // outside; or all three zero: in the plane
   const Vec normal = cross(b - a, c - a);
@@ -106,6 +107,8 @@ Answer intersect(Vec a, Vec b, Vec c, Vec origin, Vec direction, Real t_min, Rea
 }
 )"},
 }};
+
+constexpr std::string_view command = "g++ -std=c++17 -O2 -ffp-contract=off repro.cpp -o repro && ./repro";
 
 constexpr std::string_view text = R"(@STORY@
 #include <cmath>
@@ -156,13 +159,14 @@ bool has_plain_source(std::string_view tracer) { return kernel_of(tracer) != nul
 std::string cpp_plain(const Case& what, std::string_view tracer) {
   const PlainKernel* kernel = kernel_of(tracer);
   if (!kernel)
-    throw InputError(fmt::format("case '{}': cpp-plain has the source of moller_trumbore, woop_watertight, plucker and "
-                                 "baldwin_weber (_f32, _f64), not of {}; python-proof, obj, ply and asc tell any tracer's cases",
-                                 what.id, tracer));
-  const Evidence e = gather(what, tracer);
+    throw InputError(
+        fmt::format("case '{}': cpp-plain has the source of moller_trumbore, woop_watertight, plucker and "
+                    "baldwin_weber (_f32, _f64), not of {}; python-proof, obj, ply and asc tell any tracer's cases",
+                    what.id, tracer));
+  const Evidence e = gather_to_ask(what, tracer);
   constexpr std::string_view type = "const volatile Real";
   const bool single = e.contract.precision == Precision::binary32;
-  return fill(text, {{"STORY", commented(story(e, "g++ -std=c++17 -O2 -ffp-contract=off repro.cpp -o repro && ./repro"), "// ")},
+  return fill(text, {{"STORY", commented(story(e, command), "// ")},
                      {"REAL", single ? "float" : "double"},
                      {"CASE", c_triangle(e, type) + c_ray(e, type) + c_range(e, type)},
                      {"ANSWER", c_answer()},

@@ -19,23 +19,27 @@ namespace {
 
 void require_one_valid_triangle(const Case& what) {
   if (what.bag.triangles.size() != 1)
-    throw InputError(fmt::format("case '{}' has {} triangles, and a program or proof is about one; export it as obj, ply or asc",
-                                 what.id, what.bag.triangles.size()));
+    throw InputError(
+        fmt::format("case '{}' has {} triangles, and a program or proof is about one; export it as obj, ply or asc",
+                    what.id, what.bag.triangles.size()));
   const Truth truth = classify(what.bag.triangles.front(), what.ray);
   if (truth.hit_class == HitClass::invalid)
-    throw InputError(fmt::format("case '{}': {}, so nothing is true of it; export another", what.id, reason(truth.invalid)));
+    throw InputError(
+        fmt::format("case '{}': {}, so nothing is true of it; export another", what.id, reason(truth.invalid)));
 }
 
 void require_precision(const Case& what, Precision precision, std::string_view tracer) {
   if (at_precision(what.bag, precision) == what.bag && at_precision(what.ray, precision) == what.ray) return;
-  throw InputError(fmt::format("case '{}' has numbers that are not {}, which {} reads; round it ('plumbline generate CASE "
-                               "--precision {} | plumbline convert -'), or export it for a tracer that reads binary64",
-                               what.id, name(precision), tracer, name(precision)));
+  throw InputError(
+      fmt::format("case '{}' has numbers that are not {}, which {} reads; round it ('plumbline generate CASE "
+                  "--precision {} | plumbline convert -'), or export it for a tracer that reads binary64",
+                  what.id, name(precision), tracer, name(precision)));
 }
 
 Duty with_slack(Duty duty, const Evidence& e) {
   if (duty != Duty::miss) return duty;
-  const bool excused = judge(e.triangle(), e.query, e.truth, {.outcome = Outcome::hit}, e.contract) == VerdictKind::correct;
+  const bool excused =
+      judge(e.triangle(), e.query, e.truth, {.outcome = Outcome::hit}, e.contract) == VerdictKind::correct;
   return excused ? Duty::any : Duty::miss;
 }
 
@@ -70,8 +74,18 @@ Evidence gather(const Case& what, std::string_view tracer, const std::optional<C
   e.truth = classify(e.triangle(), e.query);
   e.duty = with_slack(duty(e.triangle(), e.query, e.truth, e.contract), e);
   e.exact = measure<double>(e.triangle(), e.query);
-  if (const auto m = margins(e.triangle(), e.query, e.contract.precision)) e.leeway = leeway(*m, e.contract.precision);
+  if (const auto m = margins(e.triangle(), e.query, e.contract.precision))
+    e.leeway = leeway(*m, e.contract.precision);
   if (!e.leeway) e.exact.reset();
+  return e;
+}
+
+Evidence gather_to_ask(const Case& what, std::string_view tracer, const std::optional<Contract>& otherwise) {
+  Evidence e = gather(what, tracer, otherwise);
+  if (e.answer && e.answer->outcome == Outcome::fault && !e.wrong)
+    throw InputError(fmt::format(
+        "case '{}' is beyond what {} takes, so no program can ask it; python-proof, obj, ply and asc tell it",
+        what.id, tracer));
   return e;
 }
 
@@ -91,8 +105,7 @@ std::string headline(const Evidence& e) {
   if (!e.answer) {
     for (const Known& known : e.what.known)
       if (known.tracer == e.tracer)
-        return fmt::format("{} is known to get this ray wrong: a {}.", who,
-                           known.kind == VerdictKind::false_hit ? "false hit" : "false miss");
+        return fmt::format("{} is known to get this ray wrong: {}.", who, name(known.kind));
     return fmt::format("What does {} say of this ray?", who);
   }
   if (!e.wrong) {
@@ -102,10 +115,13 @@ std::string headline(const Evidence& e) {
   }
   const std::string by = e.ulps > 0 ? fmt::format(" by {:.4g} ulps of the largest coordinate", e.ulps) : "";
   switch (*e.wrong) {
-    case FindingKind::false_hit: return fmt::format("{} hits a triangle that the ray misses: a false hit{}.", who, by);
-    case FindingKind::false_miss: return fmt::format("{} misses a triangle that the ray hits: a false miss{}.", who, by);
+    case FindingKind::false_hit:
+      return fmt::format("{} hits a triangle that the ray misses: a false hit{}.", who, by);
+    case FindingKind::false_miss:
+      return fmt::format("{} misses a triangle that the ray hits: a false miss{}.", who, by);
     case FindingKind::displaced:
-      return fmt::format("{} hits rightly, but puts the hit {:.4g} ulps of the largest coordinate away.", who, e.ulps);
+      return fmt::format("{} hits rightly, but puts the hit {:.4g} ulps of the largest coordinate away.", who,
+                         e.ulps);
     case FindingKind::not_finite: return fmt::format("{} hits rightly, but its t, u or v is no finite number.", who);
     case FindingKind::death: return fmt::format("{} dies of this ray.", who);
   }
@@ -113,12 +129,12 @@ std::string headline(const Evidence& e) {
 }
 
 std::string story(const Evidence& e, std::string_view command) {
-  std::string text = headline(e) + "\n\n";
-  if (!command.empty()) text += fmt::format("    {}\n\n", command);
+  std::string text = fmt::format("{}\n\n    {}\n\n", headline(e), command);
   text += fmt::format("case       {}\n", harmless(e.what.id));
   for (const std::string& line : e.what.provenance) text += fmt::format("           {}\n", harmless(line));
   if (!(e.query == Query(searched_ray(e.ray(), e.contract))))
-    text += "asked      what its interface makes of the ray, which can't hold it; the truth is that of the line below\n";
+    text +=
+        "asked      what its interface makes of the ray, which can't hold it; the truth is that of the line below\n";
   text += explain(e.triangle(), e.query);
   if (e.answer) text += explain_verdict(e.triangle(), e.query, *e.answer, e.contract);
   return text;

@@ -1,5 +1,6 @@
-// three.js, Ray.intersectTriangle: no tracer of this project, so its contract is told here. Its documentation says that a
-// ray and a triangle are intersected, and is silent on edges, ends, contact in the plane and triangles without area.
+// three.js, Ray.intersectTriangle: no tracer of this project, so its contract is told here. Its documentation says
+// that a ray and a triangle are intersected, and is silent on edges, ends, contact in the plane and triangles without
+// area.
 
 #include "case/float_bits.h"
 #include "repros/evidence.h"
@@ -14,6 +15,8 @@ constexpr Contract contract = {.edges = EdgeRule::unspecified,
                                .t_min = EndRule::unspecified,
                                .coplanar = TouchRule::unspecified,
                                .degenerate = TouchRule::unspecified};
+
+constexpr std::string_view command = "npm install three && node repro.mjs";
 
 constexpr std::string_view text = R"(@STORY@
 import { Ray, REVISION, Vector3 } from "three";
@@ -57,7 +60,7 @@ std::string js_three(const Case& what) {
   constexpr std::string_view right[] = {"got !== null", "got === null", "true"};
   const auto duty = static_cast<unsigned>(e.duty);
   const Triangle& t = e.triangle();
-  return fill(text, {{"STORY", commented(story(e, "npm install three && node repro.mjs"), "// ")},
+  return fill(text, {{"STORY", commented(story(e, command), "// ")},
                      {"A", decimals(t.a)},
                      {"B", decimals(t.b)},
                      {"C", decimals(t.c)},

@@ -1,5 +1,5 @@
-// The truth in Python's exact fractions, step by step, for a reader who trusts none of our code. Which steps there are
-// depends on the class; each is an assertion with its reason behind it.
+// The truth in Python's exact fractions, step by step, for a reader who trusts none of our code. Which steps there
+// are depends on the class; each is an assertion with its reason behind it.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -14,8 +14,11 @@
 namespace plumbline {
 namespace {
 
+constexpr std::string_view command = "python3 proof.py";
+
 constexpr std::string_view text = R"(#!/usr/bin/env python3
-# A proof in exact fractions of where a ray meets a triangle. It needs Python alone, and exits with 0 if every step holds.
+# A proof in exact fractions of where a ray meets a triangle. It needs Python alone, and exits with 0 if every step
+# holds.
 #
 @STORY@
 from fractions import Fraction
@@ -53,7 +56,7 @@ print(f"t = {t}\nu = {u} (weight of B)\nv = {v} (of C)\nw = {w} (of A)")
 constexpr std::string_view touching_text = R"(
 touched = []                            # where the line meets an edge or a vertex; elsewhere it can't come in
 for p, q in (A, B), (B, C), (C, A):
-    beside_p, beside_q = cross(D, minus(p, O)), cross(D, minus(q, O))  # 0: on the line; opposite: on either side of it
+    beside_p, beside_q = cross(D, minus(p, O)), cross(D, minus(q, O))  # 0: on the line; opposite: on its two sides
     if not any(beside_p):
         touched.append(p)
     elif not any(cross(beside_p, beside_q)) and dot(beside_p, beside_q) < 0:
@@ -67,7 +70,8 @@ ts.sort()
 )";
 
 std::string vector_line(std::string_view name, const Vec3& v) {
-  return fmt::format("{} = exact(\"{}\", \"{}\", \"{}\")  # ({})\n", name, hexfloat(v.x), hexfloat(v.y), hexfloat(v.z), decimals(v));
+  return fmt::format("{} = exact(\"{}\", \"{}\", \"{}\")  # ({})\n", name, hexfloat(v.x), hexfloat(v.y),
+                     hexfloat(v.z), decimals(v));
 }
 
 std::string end_text(double t) { return is_finite(t) ? fmt::format("exact(\"{}\")[0]", hexfloat(t)) : "None"; }
@@ -75,10 +79,12 @@ std::string end_text(double t) { return is_finite(t) ? fmt::format("exact(\"{}\"
 std::string case_text(const Evidence& e) {
   const Triangle& t = e.triangle();
   const auto& [o, d, t_min, t_max] = e.query.ray;
-  std::string lines = vector_line("A", t.a) + vector_line("B", t.b) + vector_line("C", t.c) + vector_line("O", o) + vector_line("D", d);
+  std::string lines = vector_line("A", t.a) + vector_line("B", t.b) + vector_line("C", t.c) + vector_line("O", o) +
+                      vector_line("D", d);
   if (e.query.has_tail()) {
     lines += vector_line("TAIL", e.query.direction_tail);
-    lines += "D = [x + y for x, y in zip(D, TAIL)]  # two points are what is asked, and this is their exact difference\n";
+    lines +=
+        "D = [x + y for x, y in zip(D, TAIL)]  # two points are what is asked, and this is their exact difference\n";
   }
   const std::string ends = is_finite(t_min) && is_finite(t_max) ? "" : "  # None: without end";
   return lines + fmt::format("T_MIN, T_MAX = {}, {}{}\n", end_text(t_min), end_text(t_max), ends);
@@ -94,7 +100,9 @@ std::string truth_line(std::string_view words) { return fmt::format("print(\"Tru
 std::string rounded_text(const Evidence& e) {
   std::string lines;
   const auto add = [&lines](std::string_view name, double x) {
-    if (is_finite(x)) lines += fmt::format("assert float({}) == float.fromhex(\"{}\")  # {}\n", name, hexfloat(x), shortest_decimal(x));
+    if (is_finite(x))
+      lines +=
+          fmt::format("assert float({}) == float.fromhex(\"{}\")  # {}\n", name, hexfloat(x), shortest_decimal(x));
   };
   const auto m = measure<double>(e.triangle(), e.query);
   add("t", m->t), add("u", m->u), add("v", m->v);
@@ -121,18 +129,25 @@ Signs on(Feature feature) {
 std::string range_text(const Evidence& e, std::string_view words) {
   const auto& [o, d, t_min, t_max] = e.query.ray;
   if (e.truth.versus_t_min < 0)
-    return step(is_finite(t_min) ? "t < T_MIN" : "False", "before the ray begins") + truth_line(fmt::format("the line {}, but before t_min: the ray misses.", words));
+    return step(is_finite(t_min) ? "t < T_MIN" : "False", "before the ray begins") +
+           truth_line(fmt::format("the line {}, but before t_min: the ray misses.", words));
   if (e.truth.versus_t_max > 0)
-    return step(is_finite(t_max) ? "t > T_MAX" : "False", "behind the ray's end") + truth_line(fmt::format("the line {}, but behind t_max: the ray misses.", words));
+    return step(is_finite(t_max) ? "t > T_MAX" : "False", "behind the ray's end") +
+           truth_line(fmt::format("the line {}, but behind t_max: the ray misses.", words));
   std::string lines;
-  if (is_finite(t_min)) lines += e.truth.versus_t_min == 0 ? step("t == T_MIN", "exactly where the ray begins") : step("t > T_MIN", "after the ray begins");
-  if (is_finite(t_max)) lines += e.truth.versus_t_max == 0 ? step("t == T_MAX", "exactly where the ray ends") : step("t < T_MAX", "before the ray ends");
+  if (is_finite(t_min))
+    lines += e.truth.versus_t_min == 0 ? step("t == T_MIN", "exactly where the ray begins")
+                                       : step("t > T_MIN", "after the ray begins");
+  if (is_finite(t_max))
+    lines += e.truth.versus_t_max == 0 ? step("t == T_MAX", "exactly where the ray ends")
+                                       : step("t < T_MAX", "before the ray ends");
   return lines + truth_line(fmt::format("the ray {}.", words));
 }
 
 std::string outside_text() {
   return step("min(u, v, w) < 0", "a weight against the others: P is beyond an edge, outside") +
-         "print(\"P is beyond\", \", \".join(edge for edge, x in ((\"AB\", v), (\"BC\", w), (\"CA\", u)) if x < 0))\n" +
+         "print(\"P is beyond\", \", \".join(edge for edge, x in ((\"AB\", v), (\"BC\", w), (\"CA\", u)) if x < "
+         "0))\n" +
          truth_line("the line passes outside the triangle: the ray misses.");
 }
 
@@ -143,21 +158,25 @@ std::string touching(const Evidence& e) {
   if (is_finite(t_min)) within += " and ts[-1] >= T_MIN";
   if (is_finite(t_max)) within += " and ts[0] <= T_MAX";
   const bool touches = !hit(e.triangle(), e.query, e.truth);
-  lines += "print(f\"the line is in the triangle from t = {ts[0]} to {ts[-1]}\" if ts else \"the line meets no point of it\")\n";
+  lines +=
+      "print(f\"the line is in the triangle from t = {ts[0]} to {ts[-1]}\" if ts else \"the line meets no point of "
+      "it\")\n";
   if (touches)
-    return lines + step(within, "in the ray's range, too") + truth_line("the ray touches the triangle without crossing it: a matter of convention.");
+    return lines + step(within, "in the ray's range, too") +
+           truth_line("the ray touches the triangle without crossing it: a matter of convention.");
   return lines + step("not (" + within + ")", "so the ray meets no point") + truth_line("the ray misses.");
 }
 
 std::string steps(const Evidence& e) {
   switch (e.truth.hit_class) {
-    case HitClass::exterior:
-      return fill(crossing_text, {{"ROUNDED", rounded_text(e)}, {"WHERE", outside_text()}});
+    case HitClass::exterior: return fill(crossing_text, {{"ROUNDED", rounded_text(e)}, {"WHERE", outside_text()}});
     case HitClass::parallel:
       return "\n" + step("any(N)", "a triangle with an area,") + step("det == 0", "the ray runs along its plane,") +
-             step("T != 0", "and not in it") + "print(f\"det = {det}\\nT = {T}\")\n" + truth_line("the ray runs beside the plane: it misses.");
+             step("T != 0", "and not in it") + "print(f\"det = {det}\\nT = {T}\")\n" +
+             truth_line("the ray runs beside the plane: it misses.");
     case HitClass::coplanar:
-      return "\n" + step("any(N)", "a triangle with an area,") + step("det == 0 and T == 0", "and the ray runs in its plane") + touching(e);
+      return "\n" + step("any(N)", "a triangle with an area,") +
+             step("det == 0 and T == 0", "and the ray runs in its plane") + touching(e);
     case HitClass::degenerate:
       return "\n" + step("not any(N)", "no area: the triangle is a segment or a point") + touching(e);
     default: {
@@ -174,8 +193,9 @@ std::string answer_text(const Evidence& e) {
   std::string lines = fmt::format("\nprint(\"It said: {}.\")\n", said(*e.answer));
   if (!e.wrong) return lines;
   const auto far_off = [&lines](std::string_view name, double answered, double leeway) {
-    lines += fmt::format("assert abs({} - exact(\"{}\")[0]) > Fraction({})  # a hit may be off by 2^-10 of the longest edge\n", name,
-                         hexfloat(answered), fmt::format("float.fromhex(\"{}\")", hexfloat(leeway)));
+    lines += fmt::format(
+        "assert abs({} - exact(\"{}\")[0]) > Fraction({})  # a hit may be off by 2^-10 of the longest edge\n", name,
+        hexfloat(answered), fmt::format("float.fromhex(\"{}\")", hexfloat(leeway)));
   };
   const auto off = [](double answered, double exact, double leeway) { return std::abs(answered - exact) > leeway; };
   const Answer& a = *e.answer;
@@ -196,7 +216,7 @@ std::string answer_text(const Evidence& e) {
 
 std::string python_proof(const Case& what, std::string_view tracer) {
   const Evidence e = gather(what, tracer, Contract{.precision = what.precision});
-  return fill(text, {{"STORY", commented(story(e, "python3 proof.py"), "# ")},
+  return fill(text, {{"STORY", commented(story(e, command), "# ")},
                      {"CASE", case_text(e)},
                      {"STEPS", steps(e)},
                      {"ANSWER", answer_text(e)}});

@@ -9,7 +9,7 @@ namespace {
 
 struct Library {
   ReproForm form;
-  std::string_view prefix;  ///< of its tracers' names
+  std::string_view prefix;              ///< of its tracers' names
   std::string_view binary32, binary64;  ///< whom the form asks that is not told
 };
 
@@ -36,7 +36,8 @@ std::string_view asked_by(ReproForm form, const Case& what, std::string_view tra
 }  // namespace
 
 ReproForm repro_form_of(std::string_view tracer) {
-  if (tracer == "brlcad_bot_classic_kernel") return ReproForm::cpp_plain;  // a line at the primitive alone: no call of librt
+  if (tracer == "brlcad_bot_classic_kernel")
+    return ReproForm::cpp_plain;  // a line at the primitive alone: no call of librt
   for (const Library& library : libraries)
     if (!library.prefix.empty() && tracer.starts_with(library.prefix)) return library.form;
   return ReproForm::cpp_plain;

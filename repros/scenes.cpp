@@ -1,5 +1,6 @@
-// The triangles and the ray for programs that show or load meshes. Numbers are the shortest decimals that read back as the
-// same doubles; the ray, which no mesh format has, is told exactly in a comment, and drawn as far as past the triangles.
+// The triangles and the ray for programs that show or load meshes. Numbers are the shortest decimals that read back
+// as the same doubles; the ray, which no mesh format has, is told exactly in a comment, and drawn as far as past the
+// triangles.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,8 +20,10 @@ namespace {
 
 void require_finite(const Case& what) {
   const auto finite = [](const Triangle& t) { return is_finite(t.a) && is_finite(t.b) && is_finite(t.c); };
-  if (std::ranges::all_of(what.bag.triangles, finite) && is_finite(what.ray.origin) && is_finite(what.ray.direction)) return;
-  throw InputError(fmt::format("case '{}' has a coordinate that is not finite, which no scene holds; export another", what.id));
+  if (std::ranges::all_of(what.bag.triangles, finite) && is_finite(what.ray.origin) && is_finite(what.ray.direction))
+    return;
+  throw InputError(
+      fmt::format("case '{}' has a coordinate that is not finite, which no scene holds; export another", what.id));
 }
 
 std::string words(const Vec3& v) { return decimals(v, " "); }
@@ -53,7 +56,8 @@ std::string obj(const Case& what) {
   const std::size_t count = what.bag.triangles.size();
   for (std::size_t i = 0; i < count; ++i) text += fmt::format("f {} {} {}\n", 3 * i + 1, 3 * i + 2, 3 * i + 3);
   if (const auto end = drawn_to(what))
-    text += fmt::format("o ray\nv {}\nv {}\nl {} {}\n", words(what.ray.origin), words(*end), 3 * count + 1, 3 * count + 2);
+    text += fmt::format("o ray\nv {}\nv {}\nl {} {}\n", words(what.ray.origin), words(*end), 3 * count + 1,
+                        3 * count + 2);
   return text;
 }
 
@@ -62,7 +66,8 @@ std::string ply(const Case& what) {
   const auto end = drawn_to(what);
   const std::size_t count = what.bag.triangles.size();
   std::string text = "ply\nformat ascii 1.0\n" + commented(told(what), "comment ");
-  text += fmt::format("element vertex {}\nproperty double x\nproperty double y\nproperty double z\n", 3 * count + (end ? 2 : 0));
+  text += fmt::format("element vertex {}\nproperty double x\nproperty double y\nproperty double z\n",
+                      3 * count + (end ? 2 : 0));
   text += fmt::format("element face {}\nproperty list uchar int vertex_indices\n", count);
   if (end) text += "element edge 1\nproperty int vertex1\nproperty int vertex2\n";
   text += "end_header\n";
@@ -87,12 +92,20 @@ std::string asc(const Case& what) {
     faces += fmt::format(" {{ {} {} {} }}", 3 * i, 3 * i + 1, 3 * i + 2);
     thicknesses += " " + shortest_decimal(bag.thickness);
   }
-  std::string text = commented(told(what) + fmt::format("\nasc2g scene.asc scene.g; nirt -e 'xyz {}; dir {}; s; q' scene.g bag\n",
-                                                        words(what.ray.origin), words(what.ray.direction)), "# ");
+  std::string text =
+      commented(told(what) + fmt::format("\nasc2g scene.asc scene.g; nirt -e 'xyz {}; dir {}; s; q' scene.g bag\n",
+                                         words(what.ray.origin), words(what.ray.direction)),
+                "# ");
   text += "title {triangles under a ray}\nunits mm\n";
   text += fmt::format("put bag bot mode {} orient {} V {{{} }} F {{{} }}",
-                      bag.mode == BagMode::surface ? "surf" : bag.mode == BagMode::solid ? "volume" : bag.cosine ? "plate" : "plate_nocos",
-                      bag.orientation == Orientation::none ? "no" : bag.orientation == Orientation::ccw ? "rh" : "lh", vertices, faces);
+                      bag.mode == BagMode::surface ? "surf"
+                      : bag.mode == BagMode::solid ? "volume"
+                      : bag.cosine                 ? "plate"
+                                                   : "plate_nocos",
+                      bag.orientation == Orientation::none  ? "no"
+                      : bag.orientation == Orientation::ccw ? "rh"
+                                                            : "lh",
+                      vertices, faces);
   if (plate) {
     std::string bits((count + 7) / 8 * 2, bag.position == PlatePosition::appended ? 'f' : '0');
     text += fmt::format(" T {{{} }} fm {}", thicknesses, bits);

@@ -18,8 +18,8 @@ struct TemplatePlace {
 /// Each @NAME@ of the template replaced, once: what is put in is not searched again.
 std::string fill(std::string_view text, std::initializer_list<TemplatePlace> places);
 
-/// Text of somebody else's on one line of a comment, in whatever language: all but printable ASCII, backslashes and braces
-/// (which Tcl counts in comments as well) become \xNN.
+/// Text of somebody else's on one line of a comment, in whatever language: all but printable ASCII, backslashes and
+/// braces (which Tcl counts in comments as well) become \xNN.
 std::string harmless(std::string_view text);
 
 /// Each line behind the leader, "// " say.

@@ -1,7 +1,8 @@
-"""The verb export as a maintainer meets it: each program is built with nothing but the library it is about, says that the
-library is wrong and exits with 1 (or, of a case that the library gets right, with 0); each proof proves.
+"""The verb export as a maintainer meets it: each program is built with nothing but the library it is about, says that
+the library is wrong and exits with 1 (or, of a case that the library gets right, with 0); each proof proves.
 Argument: the program. EXPORT_ALL: every tracer, every kind of finding, every compiler."""
 import contextlib
+import functools
 import io
 import json
 import os
@@ -25,8 +26,9 @@ FORMS = ("cpp-plain", "cpp-embree", "cpp-cgal", "cpp-bullet", "cpp-glm", "js-thr
          "ply", "asc")
 PREFIXES = {"embree_": "cpp-embree", "cgal_": "cpp-cgal", "bullet_": "cpp-bullet", "glm_": "cpp-glm"}
 # Some of each library, and each kernel in one precision: what there is time for in every run.
-SOME = ("moller_trumbore_f64", "woop_watertight_f32", "plucker_f64", "baldwin_weber_f32", "embree_robust", "bullet_f32",
-        "glm_f32")
+SOME = ("moller_trumbore_f64", "woop_watertight_f32", "plucker_f64", "baldwin_weber_f32", "embree_robust",
+        "bullet_f32", "glm_f32")
+SCRATCH = tempfile.TemporaryDirectory()
 
 
 def plumbline(*arguments, text=""):
@@ -54,6 +56,15 @@ def blocks(path):
     """The cases of a file: id, text."""
     for block in re.split(r"^(?=case )", path.read_text(), flags=re.M)[1:]:
         yield block.split()[1], block
+
+
+@functools.cache
+def findings_of(tracer, domain="nominal"):
+    """Those of a short search."""
+    folder = pathlib.Path(SCRATCH.name) / tracer / domain
+    done = plumbline("fuzz", "--tracer", tracer, "--runs", 20000, "--domain", domain, "-o", folder)
+    assert done.returncode == 0, done.stderr
+    return sorted((folder / "findings").glob("*.case"))
 
 
 class ExportTest(unittest.TestCase):
@@ -96,10 +107,7 @@ class Programs(ExportTest):
         """The first of each kind that a short search finds; EXPORT_ALL: of each kind and element, in both domains."""
         some = {}
         for domain in ("nominal", "full") if ALL else ("nominal",):
-            folder = self.scratch / tracer / domain
-            done = plumbline("fuzz", "--tracer", tracer, "--runs", 20000, "--domain", domain, "-o", folder)
-            self.assertEqual(done.returncode, 0, done.stderr)
-            for path in sorted((folder / "findings").glob("*.case")):
+            for path in findings_of(tracer, domain):
                 kind = re.match(r"(false-hit|false-miss|displaced|not-finite)(-(?!exactly)\w+)?", path.stem)
                 if kind:
                     some.setdefault(kind[0] if ALL else kind[1], path)
@@ -126,7 +134,7 @@ class Programs(ExportTest):
         for tracer in TRACERS:
             number = 0
             for case in (HIT, MISS, EDGE):
-                if not ALL and case != HIT and tracer not in ("plucker_f64", "embree_robust"):
+                if not ALL and tracer not in ("plucker_f64", "embree_robust", "bullet_f32"):
                     continue
                 compiler = COMPILERS[number % len(COMPILERS)]
                 number += 1
@@ -141,7 +149,7 @@ class Programs(ExportTest):
         number = 0
         for path in sorted(CORPUS.glob("*/*.case")) if ALL else [CORPUS / "adapters" / "glm.case"]:
             for identity, block in blocks(path):
-                for tracer, kind in re.findall(r"^known (\S+) (\S+)", block, re.M):
+                for tracer, kind in re.findall(r"^known (\S+) (false-\S+)", block, re.M):
                     if tracer not in TRACERS:
                         continue
                     done = plumbline("export", path, "--as", form_of(tracer), "--id", identity, "--tracer", tracer)
@@ -179,11 +187,12 @@ class Proofs(ExportTest):
         return printed.getvalue()
 
     def test_prove_the_corpus(self):
+        """Each as a finding of a tracer that gets it wrong, if there is one, or else as a truth alone."""
         present, truths = set(present_tracers()), set()
         for path in sorted(CORPUS.glob("*/*.case")):
             for identity, block in blocks(path):
-                known = [t for t in re.findall(r"^known (\S+)", block, re.M) if t in present]
-                for tracer in [None, *(known if ALL else known[:1])]:
+                known = [t for t in re.findall(r"^known (\S+) false", block, re.M) if t in present]
+                for tracer in [None, *known] if ALL else known[:1] or [None]:
                     with self.subTest(case=identity, tracer=tracer):
                         done = plumbline("export", path, "--as", "python-proof", "--id", identity,
                                          *(["--tracer", tracer] if tracer else []))
@@ -194,13 +203,14 @@ class Proofs(ExportTest):
                         truths.add(re.search(r"^Truth: (.*)$", printed, re.M)[1])
                         if tracer:
                             self.assertRegex(printed, r"\nIt said: a (hit|miss)[^\n]*\nThat is wrong: ")
-        self.assertGreater(len(truths), 8, truths)
+        self.assertGreater(len(truths), 6, truths)
 
     def test_prove_each_class(self):
-        families = ("exact_edge23", "coplanar", "degenerate", "lattice_points", "ulp51", "full_range", "tiny", "huge", "sliver")
+        families = ("exact_edge23", "coplanar", "degenerate", "lattice_points", "ulp51", "full_range", "tiny", "huge",
+                    "sliver")
         truths = set()
         for family in families:
-            cases = plumbline("generate", family, "--count", 40 if ALL else 6).stdout
+            cases = plumbline("generate", family, "--count", 40 if ALL else 4).stdout
             path = self.write(plumbline("convert", "-", text=cases).stdout)
             for identity, _ in blocks(path):
                 with self.subTest(family=family, case=identity):
@@ -209,9 +219,9 @@ class Proofs(ExportTest):
         self.assertGreater(len(truths), 7, truths)
 
     def test_prove_the_ends_of_a_range(self):
-        for ends, truth in (("0 1", "crosses the interior"), ("1 2", "crosses the interior"), ("0 0.5", "behind t_max"),
-                            ("1.5 inf", "before t_min"), ("-inf inf", "crosses the interior"), ("-inf 1", "crosses the interior"),
-                            ("2 1", "before t_min")):
+        for ends, truth in (("0 1", "the ray crosses"), ("1 2", "the ray crosses"), ("0 0.5", "behind t_max"),
+                            ("1.5 inf", "before t_min"), ("-inf inf", "the ray crosses"),
+                            ("-inf 1", "the ray crosses"), ("2 1", "before t_min")):
             printed = self.prove(self.export(self.write(HIT + f"range {ends}\n"), "python-proof"))
             self.assertIn(truth, printed, ends)
 
@@ -220,10 +230,8 @@ class Proofs(ExportTest):
         for tracer in ("moller_trumbore_f64", "embree_robust", "bullet_f32", "glm_f32", "cgal_cartesian_f64"):
             if tracer not in present_tracers():
                 continue
-            folder = self.scratch / tracer
-            self.assertEqual(plumbline("fuzz", "--tracer", tracer, "--runs", 20000, "-o", folder).returncode, 0)
-            findings = sorted((folder / "findings").glob("*.case"))
-            for path in findings if ALL else findings[::9]:
+            findings = findings_of(tracer)
+            for path in findings if ALL else findings[::12]:
                 with self.subTest(finding=path.stem, tracer=tracer):
                     printed = self.prove(self.export(path, "python-proof", "--tracer", tracer))
                     self.assertIn("\nThat is wrong: ", printed)
@@ -258,12 +266,16 @@ class Choices(ExportTest):
         self.assertIn("plucker_f32 gets this ray right", self.export(case, "cpp-plain", "--tracer", "plucker_f32"))
         self.assertIn("Where a ray meets a triangle", self.export(case, "python-proof"))
         self.assertIn("moller_trumbore_f32 gets", self.export(self.write(HIT), "cpp-plain"))
-        self.assertIn("moller_trumbore_f64 gets", self.export(self.write(HIT.replace("precision binary32\n", "")), "cpp-plain"))
+        case = self.write(HIT.replace("precision binary32\n", ""))
+        self.assertIn("moller_trumbore_f64 gets", self.export(case, "cpp-plain"))
 
     def test_a_tracer_of_ones_own(self):
-        foreign = "pipe:while read line; do echo '{\"id\":\"0\",\"hit\":false}'; done"
+        foreign = "pipe:sed -u 's/^.\"id\":\\([0-9]*\\).*/{\"id\":\\1,\"hit\":false}/'"
         done = plumbline("export", self.write(HIT), "--as", "cpp-plain", "--tracer", foreign)
         self.assert_trouble(done, "cpp-plain", "python-proof")
+        text = self.export(self.write(HIT), "python-proof", "--tracer", foreign)
+        self.assertIn("It said: a miss.", text)
+        self.assertIn("That is wrong: the ray hits.", text)
 
     def test_output_and_id(self):
         case, output = self.write(HIT + "\n" + MISS), self.scratch / "out"
@@ -275,8 +287,8 @@ class Choices(ExportTest):
 
     def test_hostile_names(self):
         """They stay in comments: the same program, and it builds."""
-        hostile = ("# */ int main() { return 7; } /* \\\n# '\"\"\"; DROP TABLE x; <script>alert(1)</script>\n# @MAIN@ ??/\n"
-                   + HIT.replace("case hit", "case */'\"\"\";<script>\\"))
+        hostile = ("# */ int main() { return 7; } /* \\\n# '\"\"\"; DROP TABLE x; <script>alert(1)</script>\n"
+                   "# @MAIN@ ??/\n" + HIT.replace("case hit", "case */'\"\"\";<script>\\"))
         code, printed = self.build_and_run(self.export(self.write(hostile), "cpp-plain"), COMPILERS[0])
         self.assertEqual(code, 0, printed)
         proof = self.write(self.export(self.write(hostile), "python-proof"), "proof.py")
@@ -308,12 +320,14 @@ class Trouble(ExportTest):
         self.assert_trouble(done, "2 triangles", "obj")
         self.assertEqual(output.read_text(), "as before")
         tenth = self.write(HIT.replace("precision binary32\n", "").replace("0.25 0.25", "0.1 0.25"))
-        self.assert_trouble(plumbline("export", tenth, "--as", "cpp-plain", "--tracer", "plucker_f32"), "binary32", "generate")
+        done = plumbline("export", tenth, "--as", "cpp-plain", "--tracer", "plucker_f32")
+        self.assert_trouble(done, "binary32", "generate")
         several = self.write(HIT + "known plucker_f32 false-miss\nknown plucker_f64 false-miss\n")
         self.assert_trouble(plumbline("export", several, "--as", "cpp-plain"), "several lines 'known'", "--tracer")
         still = self.write(HIT.replace("0 0 -1", "0 0 0"))
         self.assert_trouble(plumbline("export", still, "--as", "cpp-plain"), "direction is zero")
-        self.assert_trouble(plumbline("export", self.write(HIT), "--as", "cpp-plain", "--tracer", "exact"), "cpp-plain")
+        done = plumbline("export", self.write(HIT), "--as", "cpp-plain", "--tracer", "exact")
+        self.assert_trouble(done, "cpp-plain", "moller_trumbore")
 
 
 if __name__ == "__main__":

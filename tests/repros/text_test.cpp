@@ -14,9 +14,7 @@ TEST(Fill, ReplacesNamedPlaces) {
   EXPECT_EQ(fill("a@b @AB@ @A @@A@", {{"A", "x"}, {"AB", "y"}}), "a@b y @A @x");
 }
 
-TEST(Fill, DoesNotSearchWhatItPutIn) {
-  EXPECT_EQ(fill("@A@ @B@", {{"A", "@B@"}, {"B", "@A@"}}), "@B@ @A@");
-}
+TEST(Fill, DoesNotSearchWhatItPutIn) { EXPECT_EQ(fill("@A@ @B@", {{"A", "@B@"}, {"B", "@A@"}}), "@B@ @A@"); }
 
 TEST(Harmless, IsOneLineOfPrintableAscii) {
   EXPECT_EQ(harmless(""), "");
