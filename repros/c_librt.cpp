@@ -13,7 +13,7 @@ namespace {
 constexpr Contract contract = {.range = RangeRule::ray, .t_min = EndRule::unspecified};
 
 constexpr std::string_view command =
-    "cc -std=gnu11 repro.c -I$BRLCAD/include -I$BRLCAD/include/brlcad -L$BRLCAD/lib -lrt -lbu -lm "
+    "cc -std=gnu11 repro.c -I$BRLCAD/include -I$BRLCAD/include/brlcad -I$BRLCAD/include/openNURBS -L$BRLCAD/lib -lrt -lbu -lm "
     "-o repro && LD_LIBRARY_PATH=$BRLCAD/lib ./repro      # BRL-CAD 7.24";
 
 constexpr std::string_view text = R"(@STORY@//

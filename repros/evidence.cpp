@@ -63,6 +63,8 @@ Evidence gather(const Case& what, std::string_view tracer, const std::optional<C
   require_precision(what, e.contract.precision, tracer.empty() ? "the case's own precision" : tracer);
   e.query = searched_ray(what.ray, e.contract);
   if (here) {
+    const TracerInfo& info = here->info();
+    e.call = info.source + (info.package.empty() ? "" : " (" + info.package + ")");
     const Examination examined = Examiner(*here).examine(e.triangle(), e.ray());
     e.query = examined.query;
     e.answer = examined.answer;
@@ -132,6 +134,7 @@ std::string story(const Evidence& e, std::string_view command) {
   std::string text = fmt::format("{}\n\n    {}\n\n", headline(e), command);
   text += fmt::format("case       {}\n", harmless(e.what.id));
   for (const std::string& line : e.what.provenance) text += fmt::format("           {}\n", harmless(line));
+  if (!e.call.empty()) text += fmt::format("call       {}\n", harmless(e.call));
   if (!(e.query == Query(searched_ray(e.ray(), e.contract))))
     text +=
         "asked      what its interface makes of the ray, which can't hold it; the truth is that of the line below\n";

@@ -19,6 +19,7 @@ namespace plumbline {
 struct Evidence {
   Case what;           ///< one triangle, valid, of the contract's precision
   std::string tracer;  ///< empty: told of nobody
+  std::string call;    ///< what is under test: function or paper, package and version; empty: not known here
   Contract contract;
   Query query;            ///< what it is really asked, in the range that it searches
   Truth truth;            ///< of that

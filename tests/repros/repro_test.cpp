@@ -127,6 +127,7 @@ TEST(Repro, TellsWhoIsWrongAndByHowMuch) {
       text.starts_with("// moller_trumbore_f64 hits a triangle that the ray misses: a false hit by 1 ulps of the "
                        "largest coordinate.\n"));
   EXPECT_THAT(text, HasSubstr("// case       some-case\n"));
+  EXPECT_THAT(text, HasSubstr("// call       Moller and Trumbore, Fast, Minimum Storage"));
   EXPECT_THAT(text, HasSubstr("exterior: a w has the sign against det: the line passes outside"));
   EXPECT_THAT(text, HasSubstr("1 ulps of the largest coordinate"));
   EXPECT_THAT(text, HasSubstr("// contract   binary64 inputs, edges closed, t range given"));
