@@ -13,8 +13,8 @@ namespace {
 constexpr Contract contract = {.range = RangeRule::ray, .t_min = EndRule::unspecified};
 
 constexpr std::string_view command =
-    "cc -std=gnu11 repro.c -I$BRLCAD/include -I$BRLCAD/include/brlcad -I$BRLCAD/include/openNURBS -L$BRLCAD/lib -lrt -lbu -lm "
-    "-o repro && LD_LIBRARY_PATH=$BRLCAD/lib ./repro      # BRL-CAD 7.24";
+    "cc -std=gnu11 repro.c -I$BRLCAD/include -I$BRLCAD/include/brlcad -I$BRLCAD/include/openNURBS -L$BRLCAD/lib "
+    "-lrt -lbu -lm -o repro && LD_LIBRARY_PATH=$BRLCAD/lib ./repro      # BRL-CAD 7.24";
 
 constexpr std::string_view text = R"(@STORY@//
 // What librt is held to: a ray from t = 0 on meets a closed triangle. Contact in its plane is no hit, and of t = 0

@@ -242,8 +242,11 @@ TEST(Repro, RefusesWhatItCannotTell) {
   EXPECT_EQ(error_of(still, ReproForm::obj, ""), "");
   Case endless = good;
   endless.bag.triangles.front().a.x = inf;
-  for (const ReproForm form : all_forms)
-    if (possible(form)) EXPECT_THAT(error_of(endless, form, ""), HasSubstr("finite")) << name(form);
+  for (const ReproForm form : all_forms) {
+    if (possible(form)) {
+      EXPECT_THAT(error_of(endless, form, ""), HasSubstr("finite")) << name(form);
+    }
+  }
   Case tenth = good;
   tenth.ray.origin.x = 0.1;
   EXPECT_THAT(error_of(tenth, ReproForm::cpp_plain, "plucker_f32"),
