@@ -46,7 +46,7 @@ static struct rt_bot_internal* triangle(void) {
   struct rt_bot_internal* bot = (struct rt_bot_internal*)bu_calloc(1, sizeof(struct rt_bot_internal), "bot");
   int i;
   bot->magic = RT_BOT_INTERNAL_MAGIC;
-  bot->mode = RT_BOT_@MODE@;
+  bot->mode = RT_BOT_SURFACE;
   bot->orientation = RT_BOT_@ORIENTATION@;
   bot->num_vertices = 3;
   bot->num_faces = 1;
@@ -99,16 +99,14 @@ std::string orientation(Orientation o) {
 }  // namespace
 
 std::string c_librt(const Case& what, std::string_view tracer) {
-  if (what.bag.mode == BagMode::plate)
+  if (what.bag.mode != BagMode::surface)
     throw InputError(
-        fmt::format("case '{}' is a plate, and c-librt tells surfaces and solids; export it as asc", what.id));
+        fmt::format("case '{}' is a {}, and c-librt tells surfaces; export it as asc", what.id, name(what.bag.mode)));
   const Evidence e = gather_to_ask(what, tracer, contract);
   constexpr std::string_view type = "static const double";
-  const bool solid = what.bag.mode == BagMode::solid;
   return fill(text, {{"STORY", commented(story(e, command), "// ")},
                      {"CASE", c_triangle(e, type) + c_ray(e, type)},
                      {"ANSWER", c_answer()},
-                     {"MODE", solid ? "SOLID" : "SURFACE"},
                      {"ORIENTATION", orientation(what.bag.orientation)},
                      {"MAIN", c_main(e, {.t = true})}});
 }

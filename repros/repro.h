@@ -20,8 +20,8 @@ constexpr std::string_view name(ReproForm f) { return repro_form_names[static_ca
 
 /// The text of the file. `tracer` is who gets it wrong: its rules are the program's, where the form can follow them;
 /// of another library, or empty: the form's own default. Throws InputError where the case can't be told in that form
-/// (several triangles, numbers that aren't of the library's precision, a tracer that cpp_plain can't write out or that
-/// this build hasn't), naming the case and the fix.
+/// (several triangles, numbers that aren't of the library's precision, a tracer that this build hasn't or that
+/// cpp_plain can't write out), naming the case and the fix.
 std::string to_repro(const Case& what, ReproForm form, std::string_view tracer);
 
 /// The form that suits a tracer: cpp_embree for embree_robust_avx2; cpp_plain where none is nearer.

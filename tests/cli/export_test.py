@@ -170,8 +170,9 @@ class Programs(ExportTest):
         if not shutil.which("node") or not (pathlib.Path(modules) / "three").is_dir():
             self.skipTest("needs node, and NODE_PATH=DIR/node_modules with npm's three in it")
         (self.scratch / "node_modules").symlink_to(pathlib.Path(modules).resolve())
-        beside = ("case beside-a\ntriangle 0x1.4p-7 0 0"
-                  "  0x1.d7a9dddce1c59p+1 -0x1.de28b4362de88p+1 -0x1.717f5a744c85bp+1  0 0x1.fffffffffffffp-1 0\nray -0x1.a375035c54be2p+1 0x1.66a3fe3d3553bp+0 0x1.a8487a9bfc6aep+1"
+        beside = ("case beside-a\ntriangle 0x1.4p-7 0 0  0x1.d7a9dddce1c59p+1 -0x1.de28b4362de88p+1"
+                  " -0x1.717f5a744c85bp+1  0 0x1.fffffffffffffp-1 0\n"
+                  "ray -0x1.a375035c54be2p+1 0x1.66a3fe3d3553bp+0 0x1.a8487a9bfc6aep+1"
                   "  0x1.5949dba4167a8p-1 -0x1.265933e860e42p-2 -0x1.5c3936307dda2p-1\n")
         displaced = ("case displaced\ntriangle 0x1.a6a7a606dd9bdp+2 -0x1.d4270707c0d2bp+2 -0x1.4789153abaf22p+2"
                      "  0x1.d7a9dddce1c59p+1 -0x1.de28b4362de88p+1 0x1.8820590bf4722p+1"
