@@ -47,6 +47,7 @@ int run(int argc, char** argv) {
   plumbline::add_judge(app, disagreement);
   plumbline::add_replay(app, disagreement);
   plumbline::add_explain(app);
+  plumbline::add_export(app);
   plumbline::add_tracers(app);
   plumbline::add_bench(app);
   app.footer(

@@ -18,6 +18,7 @@ void add_trace(CLI::App& app);
 void add_judge(CLI::App& app, bool& disagreement);
 void add_replay(CLI::App& app, bool& disagreement);
 void add_explain(CLI::App& app);
+void add_export(CLI::App& app);
 void add_tracers(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_fuzz(CLI::App& app);

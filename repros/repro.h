@@ -8,8 +8,8 @@
 
 namespace plumbline {
 
-/// Programs exit with 1 while the library under test gets the case wrong, with 0 once it doesn't. A proof exits with 0 if
-/// it proves. obj, ply and asc are scenes.
+/// Programs exit with 1 while the library under test gets the case wrong, with 0 once it doesn't, with 2 if they
+/// could not ask. A proof exits with 0 if it proves. obj, ply and asc are scenes.
 enum class ReproForm : unsigned char {
   cpp_plain, cpp_embree, cpp_cgal, cpp_bullet, cpp_glm, js_three, c_librt, python_proof, obj, ply, asc
 };
@@ -18,9 +18,10 @@ inline constexpr std::array<std::string_view, 11> repro_form_names = {
     "obj",       "ply",        "asc"};
 constexpr std::string_view name(ReproForm f) { return repro_form_names[static_cast<unsigned>(f)]; }
 
-/// The text of the file. `tracer` is who gets it wrong: its rules are the program's, where the form can follow them; empty:
-/// the form's own default. Throws InputError where the case can't be told in that form (several triangles, numbers that
-/// aren't of the library's precision), naming the case and the fix.
+/// The text of the file. `tracer` is who gets it wrong: its rules are the program's, where the form can follow them;
+/// of another library, or empty: the form's own default. Throws InputError where the case can't be told in that form
+/// (several triangles, numbers that aren't of the library's precision, a tracer that this build hasn't or that
+/// cpp_plain can't write out), naming the case and the fix.
 std::string to_repro(const Case& what, ReproForm form, std::string_view tracer);
 
 /// The form that suits a tracer: cpp_embree for embree_robust_avx2; cpp_plain where none is nearer.
