@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "analysis/ask.h"
-#include "analysis/case_files.h"
+#include "case/case_files.h"
 #include "analysis/examine.h"
 #include "analysis/shrink.h"
 #include "analysis/tracers.h"
