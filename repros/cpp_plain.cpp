@@ -154,8 +154,6 @@ const PlainKernel* kernel_of(std::string_view tracer) {
 
 }  // namespace
 
-bool has_plain_source(std::string_view tracer) { return kernel_of(tracer) != nullptr; }
-
 std::string cpp_plain(const Case& what, std::string_view tracer) {
   const PlainKernel* kernel = kernel_of(tracer);
   if (!kernel)

@@ -24,7 +24,4 @@ std::string obj(const Case& what);
 std::string ply(const Case& what);
 std::string asc(const Case& what);
 
-/// Whether cpp_plain can write that tracer out.
-bool has_plain_source(std::string_view tracer);
-
 }  // namespace plumbline
