@@ -34,25 +34,18 @@ double Examination::severity_ulps() const {
   return margins->severity_ulps;
 }
 
-Examiner::Examiner(const Tracer& tracer, Measure measure) : tracer_(tracer), measure_(measure) { bag_.triangles.resize(1); }
-
-Examination Examiner::examine(const Triangle& triangle, const Ray& ray) {
-  const Contract& contract = tracer_.info().contract;
-  bag_.triangles.front() = triangle;
-  std::feclearexcept(FE_OVERFLOW | FE_UNDERFLOW);
-  const auto bag = tracer_.prepare(bag_);
+Examination examine(const Triangle& triangle, const Ray& ray, const Query& asked, const Answer& answer,
+                    const Contract& contract, Measure measure) {
   Examination e;
-  bag->trace({&ray, 1}, {&e.answer, 1});
-  e.out_of_range = std::fetestexcept(FE_OVERFLOW | FE_UNDERFLOW) != 0;
   e.precision = contract.precision;
   e.triangle = triangle;
-  const Query asked = bag->asked(ray);
+  e.answer = answer;
   e.query = searched_ray(asked, contract);
-  const auto measure = [&] { e.margins = margins(triangle, e.query, contract.precision); };
-  if (measure_ == Measure::all) measure();
+  const auto take_margins = [&] { e.margins = margins(triangle, e.query, contract.precision); };
+  if (measure == Measure::all) take_margins();
   e.truth = e.margins ? e.margins->truth : classify(triangle, e.query);
   e.verdict = judge(triangle, asked, e.truth, e.answer, contract);
-  if (measure_ == Measure::wrong_answers && e.wrong()) measure();
+  if (measure == Measure::wrong_answers && e.wrong()) take_margins();
   // Of the ray as given: where a segment ends that an interface makes of it is the interface's choice.
   if (e.margins) e.far_range = ends_far(searched_ray(ray, contract).ray, *e.margins, contract.precision);
   if (e.margins && e.answer.outcome == Outcome::hit && e.truth.det_sign != 0) {
@@ -61,6 +54,23 @@ Examination Examiner::examine(const Triangle& triangle, const Ray& ray) {
     if (e.answer.has_uv)
       e.displacement = std::max(off(e.answer.u, m.u, m.u_scale), off(e.answer.v, m.v, m.v_scale)) / m.ulp;
   }
+  return e;
+}
+
+Examiner::Examiner(const Tracer& tracer, Measure measure, Bag object)
+    : tracer_(tracer), measure_(measure), bag_(std::move(object)) {
+  bag_.triangles.resize(1);
+}
+
+Examination Examiner::examine(const Triangle& triangle, const Ray& ray) {
+  bag_.triangles.front() = triangle;
+  std::feclearexcept(FE_OVERFLOW | FE_UNDERFLOW);
+  const auto bag = tracer_.prepare(bag_);
+  Answer answer;
+  bag->trace({&ray, 1}, {&answer, 1});
+  const bool out_of_range = std::fetestexcept(FE_OVERFLOW | FE_UNDERFLOW) != 0;
+  Examination e = plumbline::examine(triangle, ray, bag->asked(ray), answer, tracer_.info().contract, measure_);
+  e.out_of_range = out_of_range;
   if (e.verdict == VerdictKind::false_miss) e.rejection = bag->rejection(ray);
   e.died = !bag->conduct().deaths.empty();
   conduct_ += bag->conduct();

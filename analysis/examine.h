@@ -38,9 +38,15 @@ struct Examination {
 /// Whose margins are wanted.
 enum class Measure : unsigned char { all, wrong_answers };
 
+/// An answer that was given, `asked` being what the tracer was really asked of `ray`. What only the tracer itself can
+/// tell stays unknown: by which of its tests it missed, over- and underflow, death.
+Examination examine(const Triangle& triangle, const Ray& ray, const Query& asked, const Answer& answer,
+                    const Contract& contract, Measure measure = Measure::all);
+
 class Examiner {
  public:
-  explicit Examiner(const Tracer& tracer, Measure measure = Measure::all);
+  /// `object` is what the triangle is: a surface, a plate and so on; its triangles aren't looked at.
+  explicit Examiner(const Tracer& tracer, Measure measure = Measure::all, Bag object = {});
 
   /// The numbers are of the tracer's precision. The tracer is asked with a bag of its own.
   Examination examine(const Triangle& triangle, const Ray& ray);

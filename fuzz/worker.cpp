@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "case/float_bits.h"
 #include "case/input_error.h"
+#include "findings/found.h"
 #include "oracle/severity.h"
 
 namespace plumbline {
@@ -66,8 +68,12 @@ Worker::Worker(WorkerPlan plan) : plan_(std::move(plan)), before_(earlier(plan_)
     campaign_.on_elites = [this](const Elites& elites) { elites_->note(elites); };
     elites_->scan(campaign_.elites(), like, plan_.campaign.domain, recall);
   }
-  if (findings_)
-    campaign_.on_finding = [this](const Finding& finding) { written_ &= findings_->tell(finding, plan_.campaign); };
+  if (!plan_.store.empty()) journal_.emplace(plan_.store, Open::existing);
+  // The store first: what the folder has is no news to the next process.
+  campaign_.on_finding = [this](const Finding& finding) {
+    if (journal_) tell_store(finding);
+    if (findings_) written_ &= findings_->tell(finding, plan_.campaign);
+  };
   start_ = Clock::now();
   if (!plan_.folder.empty()) write_summary(state_file(plan_), summary());  // from now on it's this tracer's
   next_look_ = start_ + std::chrono::seconds(1);
@@ -92,6 +98,24 @@ void Worker::look_around() {
   next_look_ = end + std::max<Clock::duration>(std::chrono::seconds(1), 20 * (end - begin));
 }
 
+void Worker::tell_store(const Finding& finding) {
+  const CampaignPlan& plan = plan_.campaign;
+  untold_.push_back(found_finding(plan.tracer->info(), finding.signature, finding.ulps, to_case(finding.input),
+                                  fmt::format("fuzz: space {}, domain {}, seed {}, execution {}", name(plan.space),
+                                              name(plan.domain), plan.seed, finding.execution)));
+  try {
+    tell_untold();
+  } catch (const InputError&) {  // finish() tries again, and says so
+  }
+}
+
+void Worker::tell_untold() {
+  while (!untold_.empty()) {
+    journal_->tell(untold_.front());
+    untold_.erase(untold_.begin());
+  }
+}
+
 bool Worker::over() const {
   if (stop.load(std::memory_order_relaxed)) return true;
   if (plan_.runs && campaign_.executions() >= *plan_.runs) return true;
@@ -110,6 +134,7 @@ void Worker::finish() {
     all.rises = rises_;
     written &= write_summary(plan_.summary, all);
   }
+  if (journal_) tell_untold();
   if (!written)
     throw InputError(fmt::format("{}: not everything could be written; make room and go on with the same command",
                                  (plan_.folder.empty() ? plan_.elites : plan_.folder).string()));
@@ -126,6 +151,8 @@ Summary Worker::summary() const {
   s.cells = campaign_.elites().all().size();
   s.fingerprint = fmt::format("{:016x}", fingerprint(campaign_.elites()));
   s.worst_nominal_severity = campaign_.worst_nominal();
+  if (const double least = std::min(campaign_.least_margin(), before_.least_margin.value_or(campaign_.least_margin())); is_finite(least))
+    s.least_margin = least;
   return s;
 }
 
