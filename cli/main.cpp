@@ -35,6 +35,8 @@ int run(int argc, char** argv) {
   plumbline::add_compare(app);
   plumbline::add_fuzz(app);
   plumbline::add_shrink(app);
+  plumbline::add_triage(app);
+  plumbline::add_promote(app);
   plumbline::add_lattice(app);
   plumbline::add_generate(app);
   plumbline::add_convert(app);

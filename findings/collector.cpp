@@ -4,6 +4,8 @@
 
 namespace plumbline {
 
+Collector::Collector(const std::string& store, std::string source) : teller_(store, Open::create), source_(std::move(source)) {}
+
 void Collector::count(const std::string& tracer, std::uint64_t answers) { searches_[tracer].executions += answers; }
 
 void Collector::add(const FoundFinding& finding) {
@@ -12,7 +14,7 @@ void Collector::add(const FoundFinding& finding) {
   if (finding.conditioning == Conditioning::nominal) search.worst_nominal_ulps = std::max(search.worst_nominal_ulps, ulps);
   const auto [told, is_new] = told_.try_emplace({finding.tracer, finding.signature}, ulps);
   if (!is_new && !(ulps > told->second && ulps >= 2 * told->second)) return;
-  journal_.tell(finding);
+  teller_.tell(finding);
   told->second = ulps;
   search.signatures += is_new;
 }
@@ -21,8 +23,9 @@ void Collector::finish() {
   for (auto& [tracer, search] : searches_) {
     search.tracer = tracer;
     search.source = source_;
-    journal_.tell(search);
+    teller_.tell(search);
   }
+  teller_.finish();
 }
 
 }  // namespace plumbline

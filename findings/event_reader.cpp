@@ -56,6 +56,7 @@ class EventReader::Impl {
     f.seen = json.at("at");
     f.tracer = json.at("tracer");
     f.signature = json.at("signature");
+    if (f.signature.empty()) throw InputError("an empty signature");
     f.kind = word<FindingKind>(json, "kind", finding_kind_names);
     f.element = word<Element>(json, "element", element_names);
     f.conditioning = word<Conditioning>(json, "conditioning", conditioning_names);

@@ -22,13 +22,33 @@ FoundFinding found_finding(const TracerInfo& tracer, const Signature& signature,
   return f;
 }
 
+namespace {
+
+std::optional<FoundFinding> signed_finding(const Examination& e, const TracerInfo& tracer, const Case& what, std::string source) {
+  const auto found = signature(e, what.aim ? what.aim->wish : Wish::none);
+  if (!found) return std::nullopt;
+  return found_finding(tracer, *found, finding_ulps(e, *found), what, std::move(source));
+}
+
+Examination asked_again(const Tracer& tracer, const Case& what) {
+  return Examiner(tracer, Measure::all, what.bag).examine(what.bag.triangles.front(), what.ray);
+}
+
+}  // namespace
+
+std::optional<FoundFinding> finding_in_answer(const TracerInfo& info, const Tracer* tracer, const Case& what, const Query& asked,
+                                              const Answer& answer, std::string source) {
+  const Examination given = examine(what.bag.triangles.front(), what.ray, asked, answer, info.contract);
+  if (tracer) {
+    const Examination now = asked_again(*tracer, what);
+    if (now.verdict == given.verdict) return signed_finding(now, info, what, std::move(source));
+  }
+  return signed_finding(given, info, what, std::move(source));
+}
+
 std::optional<FoundFinding> ask_for_finding(const Tracer& tracer, const Case& what, std::string source) {
   const Case put = put_at(what, tracer.info().contract.precision);
-  const Wish wish = what.aim ? what.aim->wish : Wish::none;
-  const Examination e = Examiner(tracer, Measure::all, put.bag).examine(put.bag.triangles.front(), put.ray);
-  const auto signed_as = signature(e, wish);
-  if (!signed_as) return std::nullopt;
-  return found_finding(tracer.info(), *signed_as, finding_ulps(e, *signed_as), put, std::move(source));
+  return signed_finding(asked_again(tracer, put), tracer.info(), put, std::move(source));
 }
 
 }  // namespace plumbline

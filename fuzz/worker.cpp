@@ -44,6 +44,12 @@ CampaignPlan going_on(CampaignPlan plan, const Summary& before) {
   return plan;
 }
 
+FoundFinding to_found(const Finding& finding, const CampaignPlan& plan) {
+  return found_finding(plan.tracer->info(), finding.signature, finding.ulps, to_case(finding.input),
+                       fmt::format("fuzz: space {}, domain {}, seed {}, execution {}", name(plan.space), name(plan.domain),
+                                   plan.seed, finding.execution));
+}
+
 }  // namespace
 
 FuzzInput input_like(const CampaignPlan& plan) {
@@ -68,10 +74,10 @@ Worker::Worker(WorkerPlan plan) : plan_(std::move(plan)), before_(earlier(plan_)
     campaign_.on_elites = [this](const Elites& elites) { elites_->note(elites); };
     elites_->scan(campaign_.elites(), like, plan_.campaign.domain, recall);
   }
-  if (!plan_.store.empty()) journal_.emplace(plan_.store, Open::existing);
+  if (!plan_.store.empty()) store_.emplace(plan_.store, Open::existing);
   // The store first: what the folder has is no news to the next process.
   campaign_.on_finding = [this](const Finding& finding) {
-    if (journal_) tell_store(finding);
+    if (store_) store_->tell(to_found(finding, plan_.campaign));
     if (findings_) written_ &= findings_->tell(finding, plan_.campaign);
   };
   start_ = Clock::now();
@@ -98,24 +104,6 @@ void Worker::look_around() {
   next_look_ = end + std::max<Clock::duration>(std::chrono::seconds(1), 20 * (end - begin));
 }
 
-void Worker::tell_store(const Finding& finding) {
-  const CampaignPlan& plan = plan_.campaign;
-  untold_.push_back(found_finding(plan.tracer->info(), finding.signature, finding.ulps, to_case(finding.input),
-                                  fmt::format("fuzz: space {}, domain {}, seed {}, execution {}", name(plan.space),
-                                              name(plan.domain), plan.seed, finding.execution)));
-  try {
-    tell_untold();
-  } catch (const InputError&) {  // finish() tries again, and says so
-  }
-}
-
-void Worker::tell_untold() {
-  while (!untold_.empty()) {
-    journal_->tell(untold_.front());
-    untold_.erase(untold_.begin());
-  }
-}
-
 bool Worker::over() const {
   if (stop.load(std::memory_order_relaxed)) return true;
   if (plan_.runs && campaign_.executions() >= *plan_.runs) return true;
@@ -134,7 +122,7 @@ void Worker::finish() {
     all.rises = rises_;
     written &= write_summary(plan_.summary, all);
   }
-  if (journal_) tell_untold();
+  if (store_) store_->finish();
   if (!written)
     throw InputError(fmt::format("{}: not everything could be written; make room and go on with the same command",
                                  (plan_.folder.empty() ? plan_.elites : plan_.folder).string()));

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "findings/journal.h"
+#include "findings/teller.h"
 #include "fuzz/campaign.h"
 #include "fuzz/elites_folder.h"
 #include "fuzz/findings_folder.h"
@@ -54,16 +54,13 @@ class Worker {
   using Clock = std::chrono::steady_clock;
   double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   void look_around();
-  void tell_store(const Finding& finding);
-  void tell_untold();
 
   WorkerPlan plan_;
   Summary before_;  // of this job, by earlier processes
   Campaign campaign_;
   std::optional<ElitesFolder> elites_;
   std::optional<FindingsFolder> findings_;
-  std::optional<Journal> journal_;  // of the store
-  std::vector<FoundFinding> untold_;  // to the store: it could not be written
+  std::optional<Teller> store_;
   Clock::time_point start_, next_look_;
   bool written_ = true;  // all findings up to now
   std::vector<Summary::Rise> rises_;
