@@ -12,6 +12,7 @@
 #include "case/case_text.h"
 #include "case/input_error.h"
 #include "case/input_file.h"
+#include "findings/json_text.h"
 
 namespace plumbline {
 namespace {
@@ -33,7 +34,7 @@ void take_lines(const std::string& path, const Take& take) {
       const std::string tracer = json.at("tracer");
       json.erase("tracer");
       for (const char* key : not_of_the_case) json.erase(key);
-      take(cases.read(json.dump()), tracer);
+      take(cases.read(text_of(std::move(json))), tracer);
     } catch (const Json::exception& error) {
       throw InputError(fmt::format("{}:{}: no finding of a campaign: {}", path, file.line_number(), error.what()));
     }

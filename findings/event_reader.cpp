@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "case/case_lines.h"
 #include "case/enum_names.h"
 #include "case/input_error.h"
 #include "case/real_text.h"
+#include "findings/json_text.h"
 
 namespace plumbline {
 
@@ -19,6 +18,7 @@ class EventReader::Impl {
     Json json;
     try {
       json = Json::parse(line);
+      if (!json.is_object()) throw InputError("no event: no JSON object");
       const std::string event = json.at("event");
       if (event == "finding") return finding(json);
       if (event == "search") return search(json);
@@ -64,7 +64,7 @@ class EventReader::Impl {
     f.found.bits = count<unsigned>(json, "bits");
     f.build = json.at("build");
     f.source = json.at("source");
-    f.found.what = cases_.read(json.at("case").dump());
+    f.found.what = cases_.read(text_of(json.at("case")));
     if (f.found.what.bag.triangles.size() != 1) throw InputError("a case of several triangles");
     return f;
   }
