@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace plumbline {
 namespace {
 
@@ -33,8 +35,11 @@ void append_escaped(std::string& out, std::string_view bytes) {
     for (const char c : bytes) out += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
 }
 
+bool is_plain(char c) { return c >= ' ' && c < 0x7f; }
+
 template <class Escape>
 std::string escaped(std::string_view text, Escape escape) {
+  if (std::ranges::all_of(text, is_plain)) return std::string(text);  // nearly always
   std::string out;
   while (!text.empty()) {
     const std::size_t size = character(text);

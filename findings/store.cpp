@@ -30,9 +30,13 @@ constexpr const char* schema = R"(
     count INTEGER NOT NULL,
     first_line INTEGER NOT NULL, first_seen TEXT NOT NULL, last_seen TEXT NOT NULL,
     status TEXT NOT NULL, duplicate_of INTEGER REFERENCES finding (id),
-    worst_ulps REAL NOT NULL, worst_bits INTEGER NOT NULL, worst_found TEXT NOT NULL, worst_case TEXT NOT NULL,
-    simplest_ulps REAL NOT NULL, simplest_bits INTEGER NOT NULL, simplest_found TEXT NOT NULL, simplest_case TEXT NOT NULL,
+    worst_ulps REAL NOT NULL, worst_bits INTEGER NOT NULL, worst_line INTEGER NOT NULL,
+    simplest_ulps REAL NOT NULL, simplest_bits INTEGER NOT NULL, simplest_line INTEGER NOT NULL,
     UNIQUE (tracer, signature)) STRICT;
+  -- The cases, apart: so that a list of findings needn't read them.
+  CREATE TABLE example (
+    finding INTEGER NOT NULL REFERENCES finding (id), which TEXT NOT NULL, found TEXT NOT NULL, text TEXT NOT NULL,
+    PRIMARY KEY (finding, which)) STRICT, WITHOUT ROWID;
   CREATE TABLE build (
     finding INTEGER NOT NULL REFERENCES finding (id), build TEXT NOT NULL,
     PRIMARY KEY (finding, build)) STRICT, WITHOUT ROWID;
@@ -44,18 +48,22 @@ constexpr const char* schema = R"(
 
 constexpr std::string_view add_finding = R"(
   INSERT INTO finding (tracer, signature, kind, element, conditioning, count, first_line, first_seen, last_seen, status,
-                       worst_ulps, worst_bits, worst_found, worst_case,
-                       simplest_ulps, simplest_bits, simplest_found, simplest_case)
-  VALUES (?1, ?2, ?3, ?4, ?5, 1, ?6, ?7, ?7, 'open', ?8, ?9, ?10, ?11, ?8, ?9, ?10, ?11)
+                       worst_ulps, worst_bits, worst_line, simplest_ulps, simplest_bits, simplest_line)
+  VALUES (?1, ?2, ?3, ?4, ?5, 1, ?6, ?7, ?7, 'open', ?8, ?9, ?6, ?8, ?9, ?6)
   ON CONFLICT (tracer, signature) DO UPDATE SET
     count = count + 1, last_seen = excluded.last_seen, status = iif(status = 'fixed', 'open', status),
-    (worst_ulps, worst_bits, worst_found, worst_case) =
-      (SELECT excluded.worst_ulps, excluded.worst_bits, excluded.worst_found, excluded.worst_case
-       WHERE excluded.worst_ulps > worst_ulps UNION ALL SELECT worst_ulps, worst_bits, worst_found, worst_case LIMIT 1),
-    (simplest_ulps, simplest_bits, simplest_found, simplest_case) =
-      (SELECT excluded.simplest_ulps, excluded.simplest_bits, excluded.simplest_found, excluded.simplest_case
-       WHERE excluded.simplest_bits < simplest_bits
-       UNION ALL SELECT simplest_ulps, simplest_bits, simplest_found, simplest_case LIMIT 1))";
+    worst_ulps = iif(excluded.worst_ulps > worst_ulps, excluded.worst_ulps, worst_ulps),
+    worst_bits = iif(excluded.worst_ulps > worst_ulps, excluded.worst_bits, worst_bits),
+    worst_line = iif(excluded.worst_ulps > worst_ulps, excluded.worst_line, worst_line),
+    simplest_ulps = iif(excluded.simplest_bits < simplest_bits, excluded.simplest_ulps, simplest_ulps),
+    simplest_bits = iif(excluded.simplest_bits < simplest_bits, excluded.simplest_bits, simplest_bits),
+    simplest_line = iif(excluded.simplest_bits < simplest_bits, excluded.simplest_line, simplest_line))";
+
+// If it is the worst or the simplest now.
+constexpr std::string_view add_examples = R"(
+  INSERT OR REPLACE INTO example
+  SELECT id, 'worst', ?4, ?5 FROM finding WHERE tracer = ?1 AND signature = ?2 AND worst_line = ?3 UNION ALL
+  SELECT id, 'simplest', ?4, ?5 FROM finding WHERE tracer = ?1 AND signature = ?2 AND simplest_line = ?3)";
 
 constexpr std::string_view add_build =
     "INSERT OR IGNORE INTO build SELECT id, ?3 FROM finding WHERE tracer = ?1 AND signature = ?2";
@@ -69,8 +77,7 @@ constexpr std::string_view select_findings = R"(
   SELECT id, tracer, signature, kind, element, conditioning, count, first_seen, last_seen, status, duplicate_of,
          first_line > coalesce((SELECT line FROM search WHERE search.tracer = finding.tracer
                                 ORDER BY line DESC LIMIT 1 OFFSET 1), 0) AS is_new,
-         worst_ulps, worst_bits, worst_found, worst_case,
-         simplest_ulps, simplest_bits, simplest_found, simplest_case
+         worst_ulps, worst_bits, simplest_ulps, simplest_bits
   FROM finding WHERE )";
 constexpr std::string_view worst_first = " ORDER BY conditioning = 'nominal' DESC, worst_ulps DESC, tracer, signature";
 
@@ -90,6 +97,7 @@ class Fold {
   explicit Fold(Database& database)
       : database_(database),
         finding_(database.prepare(add_finding)),
+        examples_(database.prepare(add_examples)),
         build_(database.prepare(add_build)),
         search_(database.prepare(add_search)),
         status_(database.prepare(set_status_of)) {}
@@ -97,7 +105,8 @@ class Fold {
   void apply(const FoundFinding& f, std::int64_t line) {
     const std::string found = printable(fmt::format("found {} by {}, with {}", f.seen, f.source, f.build));
     finding_.with(f.tracer, f.signature, name(f.kind), name(f.element), name(f.conditioning), line, f.seen, f.found.ulps,
-                  std::int64_t{f.found.bits}, found, case_text(f.found.what)).run();
+                  std::int64_t{f.found.bits}).run();
+    examples_.with(f.tracer, f.signature, line, found, case_text(f.found.what)).run();
     build_.with(f.tracer, f.signature, f.build).run();
   }
 
@@ -113,7 +122,7 @@ class Fold {
 
  private:
   Database& database_;
-  Statement finding_, build_, search_, status_;
+  Statement finding_, examples_, build_, search_, status_;
 };
 
 std::string rebuild_command(const std::string& path) { return fmt::format("'plumbline triage rebuild {}'", path); }
@@ -142,7 +151,7 @@ void FindingStore::prepare_schema() {
   if (found < version) {
     Transaction transaction(database_);
     if (database_.integer("PRAGMA user_version") < version) {  // else another process was first
-      database_.run("DROP TABLE IF EXISTS build; DROP TABLE IF EXISTS finding; DROP TABLE IF EXISTS search; "
+      database_.run("DROP TABLE IF EXISTS build; DROP TABLE IF EXISTS example; DROP TABLE IF EXISTS finding; DROP TABLE IF EXISTS search; "
                     "DROP TABLE IF EXISTS journal");
       database_.run(schema);
       database_.prepare("INSERT INTO journal VALUES (?, 0, 0)").with(journal_.identity()).run();
@@ -219,10 +228,14 @@ std::vector<FindingRow> FindingStore::select(const std::string& where, const Row
     row.status = from_name<FindingStatus>(finding_status_names, from.text(9)).value_or(FindingStatus::open);
     row.duplicate_of = from.integer(10);
     row.is_new = from.integer(11) != 0;
-    row.worst = found_case(row, from, 12, filter.details);
-    row.simplest = found_case(row, from, 16, filter.details);
+    row.worst = {.ulps = from.real(12), .bits = static_cast<unsigned>(from.integer(13)), .what = {}};
+    row.simplest = {.ulps = from.real(14), .bits = static_cast<unsigned>(from.integer(15)), .what = {}};
   }
   if (!filter.details) return rows;
+  for (FindingRow& row : rows) {
+    row.worst.what = example(row, "worst", row.worst.ulps);
+    row.simplest.what = example(row, "simplest", row.simplest.ulps);
+  }
   std::unordered_map<std::int64_t, std::size_t> at;
   for (std::size_t i = 0; i < rows.size(); ++i) at[rows[i].id] = i;
   Statement builds = database_.prepare("SELECT finding, build FROM build ORDER BY finding, build");
@@ -231,15 +244,15 @@ std::vector<FindingRow> FindingStore::select(const std::string& where, const Row
   return rows;
 }
 
-FoundCase FindingStore::found_case(const FindingRow& row, const Statement& from, int column, bool details) {
-  FoundCase found{.ulps = from.real(column), .bits = static_cast<unsigned>(from.integer(column + 1)), .what = {}};
-  if (!details) return found;
-  found.what = cases_.read(from.text(column + 3));
-  found.what.id = row.signature;
-  found.what.provenance = {fmt::format("{} of {}", name(row.kind), printable(row.tracer)),
-                           severity_text(found.ulps, row.conditioning), from.text(column + 2)};
-  set_finding(found.what, row.tracer, row.kind);
-  return found;
+Case FindingStore::example(const FindingRow& row, std::string_view which, double ulps) {
+  Statement from = database_.prepare("SELECT found, text FROM example WHERE finding = ? AND which = ?");
+  if (!from.with(row.id, which).step()) database_.fail_as_damaged(fmt::format("finding {} has lost its {} case", row.id, which));
+  Case what = cases_.read(from.text(1));
+  what.id = row.signature;
+  what.provenance = {fmt::format("{} of {}", name(row.kind), printable(row.tracer)), severity_text(ulps, row.conditioning),
+                     from.text(0)};
+  set_finding(what, row.tracer, row.kind);
+  return what;
 }
 
 std::vector<SearchRow> FindingStore::searches() {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "case/case_lines.h"
@@ -19,7 +20,7 @@ namespace plumbline {
 
 struct RowFilter {
   bool only_open = false, only_new = false;
-  std::string tracer;   ///< empty: any
+  std::string tracer = {};  ///< empty: any
   bool details = true;  ///< the cases (else without `what`) and the builds
 };
 
@@ -48,7 +49,7 @@ class FindingStore {
   JournalPlace folded();
   std::vector<std::string> catch_up(Damaged lines = Damaged::refused);
   std::vector<FindingRow> select(const std::string& where, const RowFilter& filter);
-  FoundCase found_case(const FindingRow& row, const Statement& from, int column, bool details);
+  Case example(const FindingRow& row, std::string_view which, double ulps);
   FindingName name_of(std::int64_t id);
 
   std::string path_;
