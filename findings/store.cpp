@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <unordered_map>
 
 #include "analysis/found_case.h"
 #include "case/case_json.h"
@@ -232,15 +231,13 @@ std::vector<FindingRow> FindingStore::select(const std::string& where, const Row
     row.simplest = {.ulps = from.real(14), .bits = static_cast<unsigned>(from.integer(15)), .what = {}};
   }
   if (!filter.details) return rows;
+  Statement builds = database_.prepare("SELECT build FROM build WHERE finding = ? ORDER BY build");
   for (FindingRow& row : rows) {
+    builds.with(row.id);
+    while (builds.step()) row.builds.push_back(builds.text(0));
     row.worst.what = example(row, "worst", row.worst.ulps);
     row.simplest.what = example(row, "simplest", row.simplest.ulps);
   }
-  std::unordered_map<std::int64_t, std::size_t> at;
-  for (std::size_t i = 0; i < rows.size(); ++i) at[rows[i].id] = i;
-  Statement builds = database_.prepare("SELECT finding, build FROM build ORDER BY finding, build");
-  while (builds.step())
-    if (const auto row = at.find(builds.integer(0)); row != at.end()) rows[row->second].builds.push_back(builds.text(1));
   return rows;
 }
 
