@@ -6,7 +6,8 @@
 namespace plumbline {
 
 inline void add_findings_option(CLI::App& verb, std::string& path) {
-  verb.add_option("--findings", path, "Tell what is found to this store too, for 'plumbline triage'; made where there is none")
+  verb.add_option("--findings", path,
+                  "Tell what is found to this store too, for 'plumbline triage'; made where there is none")
       ->type_name("DB");
 }
 

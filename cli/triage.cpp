@@ -44,12 +44,17 @@ void add_triage(CLI::App& app) {
   add_triage_collect(*verb);
   verb->require_subcommand(0, 1);
   verb->footer(
-      "A store gathers what searches find: one finding for each way in which a tracer is wrong (its signature), with how\n"
-      "often it was told, the worst case and the simplest. By itself, triage lists the open ones, the nominal first, the\n"
-      "worst first; * marks what is new since the search before the last one of that tracer; and it ends with what was\n"
-      "searched and how near to another answer that came. severity: how far the ray would have to move for the answer to be\n"
+      "A store gathers what searches find: one finding for each way in which a tracer is wrong (its signature), with "
+      "how\n"
+      "often it was told, the worst case and the simplest. By itself, triage lists the open ones, the nominal first, "
+      "the\n"
+      "worst first; * marks what is new since the search before the last one of that tracer; and it ends with what "
+      "was\n"
+      "searched and how near to another answer that came. severity: how far the ray would have to move for the "
+      "answer to be\n"
       "true, in ulps of the largest coordinate.\n"
-      "A finding is open, fixed, dup (of another), invalid or wontfix. A fixed one that is found again is open again.\n"
+      "A finding is open, fixed, dup (of another), invalid or wontfix. A fixed one that is found again is open "
+      "again.\n"
       "DB has a journal DB.ndjson beside it, which is the truth; keep both. docs/triage.md tells more.\n"
       "\nExamples:\n"
       "  plumbline fuzz --tracer moller_trumbore_f64 --time 10 -o mt --findings found.db\n"

@@ -44,8 +44,10 @@ void run(const Options& options) {
   FindingStore(options.store);
   fmt::print(stderr, "{} findings, {} cases that their tracer gets right now\n", found, right);
   for (const auto& [name, count] : absent)
-    fmt::print(stderr, "skipped: {} cases of '{}', which is no tracer of this build; a tracer of yours is asked with --tracer\n",
-               count, printable(name));
+    fmt::print(
+        stderr,
+        "skipped: {} cases of '{}', which is no tracer of this build; a tracer of yours is asked with --tracer\n",
+        count, printable(name));
 }
 
 }  // namespace
@@ -54,12 +56,15 @@ void add_triage_collect(CLI::App& triage) {
   CLI::App* verb = triage.add_subcommand("collect", "Take in findings of campaigns and .case files");
   auto options = std::make_shared<Options>();
   add_store(*verb, options->store)->required();
-  verb->add_option("PATH", options->paths, "Folders of campaigns, findings.ndjson, .case files and folders of these")->required();
-  verb->add_option("--tracer", options->tracer, "A tracer of yours, whose findings are among them; it isn't run otherwise")
+  verb->add_option("PATH", options->paths, "Folders of campaigns, findings.ndjson, .case files and folders of these")
+      ->required();
+  verb->add_option("--tracer", options->tracer,
+                   "A tracer of yours, whose findings are among them; it isn't run otherwise")
       ->type_name("NAME");
   add_tracer_timeout(*verb, options->foreign);
   verb->footer(
-      "Of .case files it takes the cases with a line 'known TRACER KIND'. Nothing is trusted: every case is put to its tracer\n"
+      "Of .case files it takes the cases with a line 'known TRACER KIND'. Nothing is trusted: every case is put to "
+      "its tracer\n"
       "again, and told to the store if the answer is wrong now. DB is made where there is none.\n"
       "\nExamples:\n"
       "  plumbline triage collect found.db mt\n"

@@ -28,7 +28,8 @@ struct Searched {
   std::string ended;
 };
 
-std::map<std::string, Searched> searched_by_tracer(const std::vector<SearchRow>& searches, const std::string& tracer) {
+std::map<std::string, Searched> searched_by_tracer(const std::vector<SearchRow>& searches,
+                                                   const std::string& tracer) {
   std::map<std::string, Searched> all;
   for (const SearchRow& s : searches) {
     if (!tracer.empty() && s.tracer != tracer) continue;
@@ -46,29 +47,45 @@ std::map<std::string, Searched> searched_by_tracer(const std::vector<SearchRow>&
 std::string findings_text(const std::vector<FindingRow>& rows, const Options& options) {
   const std::string_view kept = options.all ? "" : "open ";
   if (rows.empty()) return fmt::format("No {}{}findings.\n", options.only_new ? "new " : "", kept);
-  TextTable table{{{"id", true}, {""}, {"status"}, {"tracer"}, {"signature"}, {"severity", true}, {"bits", true},
-                   {"count", true}, {"first seen"}, {"last seen"}}, {}};
+  TextTable table{{{"id", true},
+                   {""},
+                   {"status"},
+                   {"tracer"},
+                   {"signature"},
+                   {"severity", true},
+                   {"bits", true},
+                   {"count", true},
+                   {"first seen"},
+                   {"last seen"}},
+                  {}};
   std::set<std::string_view> tracers;
   for (const FindingRow& row : rows) {
     tracers.insert(row.tracer);
     table.rows.push_back({std::to_string(row.id), row.is_new ? "*" : "", status_text(row), cell(row.tracer),
-                          cell(row.signature, 60), fmt::format("{:.4g}", row.worst.ulps), std::to_string(row.simplest.bits),
-                          std::to_string(row.count), row.first_seen, row.last_seen});
+                          cell(row.signature, 60), fmt::format("{:.4g}", row.worst.ulps),
+                          std::to_string(row.simplest.bits), std::to_string(row.count), row.first_seen,
+                          row.last_seen});
   }
-  return to_terminal(table) + fmt::format("{} {}findings of {} tracers, {} of them new\n", rows.size(), kept, tracers.size(),
-                                          std::ranges::count_if(rows, &FindingRow::is_new));
+  return to_terminal(table) + fmt::format("{} {}findings of {} tracers, {} of them new\n", rows.size(), kept,
+                                          tracers.size(), std::ranges::count_if(rows, &FindingRow::is_new));
 }
 
 std::string searches_text(const std::map<std::string, Searched>& searched) {
   if (searched.empty()) return "\nNo search has ended yet.\n";
-  TextTable table{{{"searched"}, {"searches", true}, {"executions", true}, {"worst nominal severity", true},
-                   {"nearest right answer", true}, {"last"}}, {}};
+  TextTable table{{{"searched"},
+                   {"searches", true},
+                   {"executions", true},
+                   {"worst nominal severity", true},
+                   {"nearest right answer", true},
+                   {"last"}},
+                  {}};
   for (const auto& [tracer, sum] : searched)
     table.rows.push_back({cell(tracer), std::to_string(sum.searches), std::to_string(sum.executions),
                           fmt::format("{:.4g}", sum.worst_nominal),
                           sum.least_margin > 0 ? fmt::format("{:.4g}", sum.least_margin) : "not told", sum.ended});
   return "\n" + to_terminal(table) +
-         "Both in ulps of the largest coordinate: of the worst nominal case, and of the nominal case that was answered rightly\n"
+         "Both in ulps of the largest coordinate: of the worst nominal case, and of the nominal case that was "
+         "answered rightly\n"
          "with another answer nearest.\n";
 }
 
@@ -77,7 +94,8 @@ void write_json(const FindingRow& row, std::string& out) {
   json.text("row", "finding");
   json.number("id", static_cast<double>(row.id));
   json.text("status", name(row.status));
-  json.number("duplicate_of", row.duplicate_of == 0 ? std::nullopt : std::optional(static_cast<double>(row.duplicate_of)));
+  json.number("duplicate_of",
+              row.duplicate_of == 0 ? std::nullopt : std::optional(static_cast<double>(row.duplicate_of)));
   json.boolean("new", row.is_new);
   json.text("tracer", row.tracer);
   json.text("signature", row.signature);
@@ -110,8 +128,8 @@ void write_json(const SearchRow& row, std::string& out) {
 void run(const Options& options) {
   if (options.store.empty()) throw InputError("which store? Give DB, as in 'plumbline triage found.db'");
   FindingStore store(options.store);
-  const std::vector<FindingRow> rows =
-      store.rows({.only_open = !options.all, .only_new = options.only_new, .tracer = options.tracer, .details = false});
+  const std::vector<FindingRow> rows = store.rows(
+      {.only_open = !options.all, .only_new = options.only_new, .tracer = options.tracer, .details = false});
   const std::vector<SearchRow> searches = store.searches();
   std::string text;
   if (options.json) {
@@ -142,7 +160,8 @@ void add_triage_list(CLI::App& triage) {
   triage.callback([options, &triage] {
     if (triage.get_subcommands().empty()) run(*options);
   });
-  CLI::App* list = triage.add_subcommand("list", "The same as triage alone: for a DB that is called like a subcommand");
+  CLI::App* list =
+      triage.add_subcommand("list", "The same as triage alone: for a DB that is called like a subcommand");
   auto listed = std::make_shared<Options>();
   add_options(*list, listed);
   list->callback([listed] { run(*listed); });

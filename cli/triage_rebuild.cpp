@@ -12,8 +12,10 @@ void add_triage_rebuild(CLI::App& triage) {
   auto path = std::make_shared<std::string>();
   add_store(*verb, *path)->required();
   verb->footer(
-      "For a DB that is damaged, or gone. Everything in it comes from DB.ndjson, so the findings and their ids are the same\n"
-      "again. Lines of the journal that are damaged are named, skipped, and stay in the file. What was there as DB is kept\n"
+      "For a DB that is damaged, or gone. Everything in it comes from DB.ndjson, so the findings and their ids are "
+      "the same\n"
+      "again. Lines of the journal that are damaged are named, skipped, and stay in the file. What was there as DB "
+      "is kept\n"
       "as DB.old.\n"
       "\nExample:\n"
       "  plumbline triage rebuild found.db");

@@ -44,27 +44,35 @@ void run(const Options& options) {
     if (now == row.status) continue;
     store.set_status(row.id, now, 0, "retest");
     ++(fails ? reopened : fixed);
-    output.write(fmt::format("{} {} {} {}\n", fails ? "reopened" : "fixed", row.id, printable(row.tracer), printable(row.signature)));
+    output.write(fmt::format("{} {} {} {}\n", fails ? "reopened" : "fixed", row.id, printable(row.tracer),
+                             printable(row.signature)));
   }
-  output.write(fmt::format("{} findings asked again: {} fail, {} of them reopened; {} closed as fixed\n", asked, failing, reopened, fixed));
+  output.write(fmt::format("{} findings asked again: {} fail, {} of them reopened; {} closed as fixed\n", asked,
+                           failing, reopened, fixed));
   output.finish();
   for (const auto& [name, count] : absent)
-    fmt::print(stderr, "skipped: {} findings of '{}', which is no tracer of this build; a tracer of yours is asked with --tracer\n",
-               count, printable(name));
+    fmt::print(
+        stderr,
+        "skipped: {} findings of '{}', which is no tracer of this build; a tracer of yours is asked with --tracer\n",
+        count, printable(name));
 }
 
 }  // namespace
 
 void add_triage_retest(CLI::App& triage) {
-  CLI::App* verb = triage.add_subcommand("retest", "Ask the tracers again: close what no longer fails, reopen what does");
+  CLI::App* verb =
+      triage.add_subcommand("retest", "Ask the tracers again: close what no longer fails, reopen what does");
   auto options = std::make_shared<Options>();
   add_store(*verb, options->store)->required();
-  verb->add_option("--tracer", options->tracer, "Only findings of this one; also a tracer of yours, which isn't run otherwise")
+  verb->add_option("--tracer", options->tracer,
+                   "Only findings of this one; also a tracer of yours, which isn't run otherwise")
       ->type_name("NAME");
   add_tracer_timeout(*verb, options->foreign);
   verb->footer(
-      "Of every finding that is open or fixed, the worst and the simplest case are put to its tracer: it is fixed where both\n"
-      "are right, else open. What is dup, invalid or wontfix stays. Tracers that this build hasn't are skipped, and named.\n"
+      "Of every finding that is open or fixed, the worst and the simplest case are put to its tracer: it is fixed "
+      "where both\n"
+      "are right, else open. What is dup, invalid or wontfix stays. Tracers that this build hasn't are skipped, and "
+      "named.\n"
       "\nExamples:\n"
       "  plumbline triage retest found.db\n"
       "  plumbline triage retest found.db --tracer ./libmine.so");

@@ -23,19 +23,23 @@ struct Wanted {
 Wanted wanted(const std::string& word) {
   constexpr std::string_view duplicate = "dup-of:";
   if (word.starts_with(duplicate)) return {FindingStatus::duplicate, finding_id(word.substr(duplicate.size()))};
-  for (const FindingStatus status : {FindingStatus::open, FindingStatus::fixed, FindingStatus::invalid, FindingStatus::wontfix})
+  for (const FindingStatus status :
+       {FindingStatus::open, FindingStatus::fixed, FindingStatus::invalid, FindingStatus::wontfix})
     if (word == name(status)) return {status, 0};
-  throw InputError(fmt::format("'{}' is no status; write open, fixed, dup-of:ID, invalid or wontfix behind the IDs", printable(word)));
+  throw InputError(fmt::format("'{}' is no status; write open, fixed, dup-of:ID, invalid or wontfix behind the IDs",
+                               printable(word)));
 }
 
 void run(const Options& options) {
-  if (options.words.size() < 2) throw InputError("set which findings to what? Give IDs and a status: 'triage set found.db 2 3 invalid'");
+  if (options.words.size() < 2)
+    throw InputError("set which findings to what? Give IDs and a status: 'triage set found.db 2 3 invalid'");
   const auto [status, duplicate_of] = wanted(options.words.back());
   std::vector<std::int64_t> ids;
   for (std::size_t i = 0; i + 1 < options.words.size(); ++i) ids.push_back(finding_id(options.words[i]));
   FindingStore store(options.store);
   for (const std::int64_t id : ids)  // all or none
-    if (!store.row(id)) throw InputError(fmt::format("{0}: no finding {1}; 'plumbline triage {0}' lists them", options.store, id));
+    if (!store.row(id))
+      throw InputError(fmt::format("{0}: no finding {1}; 'plumbline triage {0}' lists them", options.store, id));
   for (const std::int64_t id : ids) store.set_status(id, status, duplicate_of, "person");
 }
 
@@ -45,8 +49,10 @@ void add_triage_set(CLI::App& triage) {
   CLI::App* verb = triage.add_subcommand("set", "Settle findings, or open them again");
   auto options = std::make_shared<Options>();
   add_store(*verb, options->store)->required();
-  verb->add_option("ID... STATUS", options->words, "IDs as triage lists them, then what they are:\n"
-                   "open, fixed, dup-of:ID, invalid or wontfix")->required();
+  verb->add_option("ID... STATUS", options->words,
+                   "IDs as triage lists them, then what they are:\n"
+                   "open, fixed, dup-of:ID, invalid or wontfix")
+      ->required();
   verb->footer(
       "  fixed      the tracer is right now; found again, it is open again\n"
       "  dup-of:ID  the same fault as that finding\n"

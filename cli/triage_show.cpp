@@ -20,9 +20,10 @@ std::string text_of(std::string_view title, const FoundCase& found) {
 }
 
 std::string text_of(const FindingRow& row) {
-  std::string text = fmt::format("finding    {}, {}{}\ntracer     {}\nsignature  {}\nkind       {}\nelement    {}\ncondition  {}\n",
-                                 row.id, status_text(row), row.is_new ? ", new" : "", printable(row.tracer),
-                                 printable(row.signature), name(row.kind), name(row.element), name(row.conditioning));
+  std::string text =
+      fmt::format("finding    {}, {}{}\ntracer     {}\nsignature  {}\nkind       {}\nelement    {}\ncondition  {}\n",
+                  row.id, status_text(row), row.is_new ? ", new" : "", printable(row.tracer),
+                  printable(row.signature), name(row.kind), name(row.element), name(row.conditioning));
   text += fmt::format("worst      {}, {} significant bits\nsimplest   {}, {} significant bits\n",
                       severity_text(row.worst.ulps, row.conditioning), row.worst.bits,
                       severity_text(row.simplest.ulps, row.conditioning), row.simplest.bits);
@@ -49,7 +50,9 @@ void add_triage_show(CLI::App& triage) {
   verb->callback([options] {
     FindingStore store(options->store);
     const auto row = store.row(finding_id(options->id));
-    if (!row) throw InputError(fmt::format("{0}: no finding {1}; 'plumbline triage {0}' lists them", options->store, options->id));
+    if (!row)
+      throw InputError(
+          fmt::format("{0}: no finding {1}; 'plumbline triage {0}' lists them", options->store, options->id));
     Output output;
     output.write(text_of(*row));
     output.finish();

@@ -22,8 +22,8 @@ using Json = nlohmann::json;
 using Take = std::function<void(const Case&, const std::string&)>;
 
 // What a line of findings.ndjson says of the finding, beside the case.
-constexpr std::array<const char*, 8> not_of_the_case = {"signature",     "kind",      "element", "rejection", "conditioning",
-                                                        "severity_ulps", "execution", "seed"};
+constexpr std::array<const char*, 8> not_of_the_case = {"signature",    "kind",          "element",   "rejection",
+                                                        "conditioning", "severity_ulps", "execution", "seed"};
 
 void take_lines(const std::string& path, const Take& take) {
   InputFile file(path);
@@ -52,7 +52,8 @@ std::vector<fs::path> files_in(const fs::path& path) {
   if (!fs::is_directory(path)) return {path};
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(path))
-    if (!entry.is_directory() && (entry.path().extension() == ".case" || entry.path().filename() == "findings.ndjson"))
+    if (!entry.is_directory() &&
+        (entry.path().extension() == ".case" || entry.path().filename() == "findings.ndjson"))
       files.push_back(entry.path());
   std::ranges::sort(files);
   return files;
@@ -64,8 +65,10 @@ void for_each_known(const std::string& path, const Take& take) {
   const std::vector<fs::path> files = files_in(path);
   if (files.empty()) throw InputError(fmt::format("{}: no *.case and no findings.ndjson in this folder", path));
   for (const fs::path& file : files) {
-    if (is_lines(file)) take_lines(file.string(), take);
-    else take_cases(file.string(), take);
+    if (is_lines(file))
+      take_lines(file.string(), take);
+    else
+      take_cases(file.string(), take);
   }
 }
 

@@ -1,5 +1,5 @@
-// Feeds a store from whatever judges many answers: tells the findings that are new or twice as severe as when they were
-// last told, as a campaign does, and at the end what was searched.
+// Feeds a store from whatever judges many answers: tells the findings that are new or twice as severe as when they
+// were last told, as a campaign does, and at the end what was searched.
 #pragma once
 #include <map>
 #include <string>

@@ -78,7 +78,8 @@ bool Statement::step() {
 }
 
 void Statement::run() {
-  while (step()) {}
+  while (step()) {
+  }
 }
 
 std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(statement_.get(), column); }
@@ -88,10 +89,13 @@ std::string Statement::text(int column) const {
   return {bytes ? bytes : "", static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column))};
 }
 
-void Statement::bind(int at, std::int64_t value) { database_->check(sqlite3_bind_int64(statement_.get(), at, value)); }
+void Statement::bind(int at, std::int64_t value) {
+  database_->check(sqlite3_bind_int64(statement_.get(), at, value));
+}
 void Statement::bind(int at, double value) { database_->check(sqlite3_bind_double(statement_.get(), at, value)); }
 void Statement::bind(int at, std::string_view value) {
-  database_->check(sqlite3_bind_text64(statement_.get(), at, value.data(), value.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
+  database_->check(
+      sqlite3_bind_text64(statement_.get(), at, value.data(), value.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
 }
 
 Transaction::~Transaction() {

@@ -1,5 +1,5 @@
-// SQLite, as far as a store needs it. Throws InputError: with the fix for a file that is damaged or none of SQLite's, where
-// the disk is full, where another process holds it for a minute.
+// SQLite, as far as a store needs it. Throws InputError: with the fix for a file that is damaged or none of SQLite's,
+// where the disk is full, where another process holds it for a minute.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -47,8 +47,8 @@ class Statement {
 
 class Database {
  public:
-  /// Opens the file, and makes it where there is none. `damage_fix` is what a message advises for a file that is no good,
-  /// `full_fix` where it can't be written.
+  /// Opens the file, and makes it where there is none. `damage_fix` is what a message advises for a file that is no
+  /// good, `full_fix` where it can't be written.
   Database(std::string path, std::string damage_fix, std::string full_fix);
 
   void run(const char* sql);

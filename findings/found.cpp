@@ -7,8 +7,10 @@
 
 namespace plumbline {
 
-FoundFinding found_finding(const TracerInfo& tracer, const Signature& signature, double ulps, const Case& what, std::string source) {
-  const FuzzInput numbers{.precision = tracer.contract.precision, .triangle = what.bag.triangles.front(), .ray = what.ray};
+FoundFinding found_finding(const TracerInfo& tracer, const Signature& signature, double ulps, const Case& what,
+                           std::string source) {
+  const FuzzInput numbers{
+      .precision = tracer.contract.precision, .triangle = what.bag.triangles.front(), .ray = what.ray};
   FoundFinding f{.tracer = tracer.name,
                  .signature = to_word(signature),
                  .kind = signature.kind,
@@ -24,7 +26,8 @@ FoundFinding found_finding(const TracerInfo& tracer, const Signature& signature,
 
 namespace {
 
-std::optional<FoundFinding> signed_finding(const Examination& e, const TracerInfo& tracer, const Case& what, std::string source) {
+std::optional<FoundFinding> signed_finding(const Examination& e, const TracerInfo& tracer, const Case& what,
+                                           std::string source) {
   const auto found = signature(e, what.aim ? what.aim->wish : Wish::none);
   if (!found) return std::nullopt;
   return found_finding(tracer, *found, finding_ulps(e, *found), what, std::move(source));
@@ -36,8 +39,8 @@ Examination asked_again(const Tracer& tracer, const Case& what) {
 
 }  // namespace
 
-std::optional<FoundFinding> finding_in_answer(const TracerInfo& info, const Tracer* tracer, const Case& what, const Query& asked,
-                                              const Answer& answer, std::string source) {
+std::optional<FoundFinding> finding_in_answer(const TracerInfo& info, const Tracer* tracer, const Case& what,
+                                              const Query& asked, const Answer& answer, std::string source) {
   const Examination given = examine(what.bag.triangles.front(), what.ray, asked, answer, info.contract);
   if (tracer) {
     const Examination now = asked_again(*tracer, what);

@@ -11,13 +11,15 @@
 namespace plumbline {
 
 /// `what` has one triangle and numbers of the tracer's precision.
-FoundFinding found_finding(const TracerInfo& tracer, const Signature& signature, double ulps, const Case& what, std::string source);
+FoundFinding found_finding(const TracerInfo& tracer, const Signature& signature, double ulps, const Case& what,
+                           std::string source);
 
-/// An answer that somebody got from a tracer; `what` as above, and `asked` what the tracer was really asked of its ray. Where
-/// the `tracer` itself is at hand it is asked again, since it alone can tell by which of its tests it missed, and whether
-/// numbers over- or underflowed; if it says otherwise now, or is null, the signature is without these.
-std::optional<FoundFinding> finding_in_answer(const TracerInfo& info, const Tracer* tracer, const Case& what, const Query& asked,
-                                              const Answer& answer, std::string source);
+/// An answer that somebody got from a tracer; `what` as above, and `asked` what the tracer was really asked of its
+/// ray. Where the `tracer` itself is at hand it is asked again, since it alone can tell by which of its tests it
+/// missed, and whether numbers over- or underflowed; if it says otherwise now, or is null, the signature is without
+/// these.
+std::optional<FoundFinding> finding_in_answer(const TracerInfo& info, const Tracer* tracer, const Case& what,
+                                              const Query& asked, const Answer& answer, std::string source);
 
 /// Asks the tracer about the case, put at its precision. No value where there is nothing to find.
 std::optional<FoundFinding> ask_for_finding(const Tracer& tracer, const Case& what, std::string source);

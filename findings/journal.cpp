@@ -27,7 +27,8 @@ constexpr std::size_t head_size = head_begin.size() + identity_size + head_end.s
 class Lock {
  public:
   Lock(int file, int how) : file_(file) {
-    while (flock(file_, how) != 0 && errno == EINTR) {}
+    while (flock(file_, how) != 0 && errno == EINTR) {
+    }
   }
   ~Lock() { flock(file_, LOCK_UN); }
   Lock(const Lock&) = delete;
@@ -57,11 +58,13 @@ Journal::Journal(const std::string& store, Open how) : path_(store + ".ndjson") 
   if (file_ < 0 && errno == ENOENT) {
     std::error_code error;
     if (exists(store) && std::filesystem::file_size(store, error) != 0)
-      throw InputError(fmt::format("{}: there is no journal {} beside it, which holds the findings of a store; put that "
-                                   "back, or name another file",
-                                   store, path_));
+      throw InputError(
+          fmt::format("{}: there is no journal {} beside it, which holds the findings of a store; put that "
+                      "back, or name another file",
+                      store, path_));
     if (how == Open::existing)
-      throw InputError(fmt::format("{}: no such store of findings; 'plumbline fuzz --findings {}' makes one", store, store));
+      throw InputError(
+          fmt::format("{}: no such store of findings; 'plumbline fuzz --findings {}' makes one", store, store));
     file_ = open(path_.c_str(), flags | O_CREAT, 0666);
   }
   if (file_ < 0) throw InputError(fmt::format("{}: can't be opened: {}; name another", path_, std::strerror(errno)));
@@ -74,7 +77,8 @@ Journal::Journal(const std::string& store, Open how) : path_(store + ".ndjson") 
     }
     head_ = bytes(0, head_size);
     if (head_.size() != head_size || !head_.starts_with(head_begin) || !head_.ends_with(head_end))
-      throw InputError(fmt::format("{}:1: this is no journal of findings; name another store, or move the file away", path_));
+      throw InputError(
+          fmt::format("{}:1: this is no journal of findings; name another store, or move the file away", path_));
     identity_ = head_.substr(head_begin.size(), identity_size);
   } catch (...) {
     close(file_);
@@ -96,13 +100,15 @@ void Journal::append(std::string_view line) {
   if (end != size_of(file_) && ftruncate(file_, static_cast<off_t>(end)) != 0) fail(std::strerror(errno));
   const ssize_t written = write(file_, line.data(), line.size());
   if (written == static_cast<ssize_t>(line.size()) && fdatasync(file_) == 0) return;
-  const char* const why = written >= 0 && written < static_cast<ssize_t>(line.size()) ? "the disk is full" : std::strerror(errno);
+  const char* const why =
+      written >= 0 && written < static_cast<ssize_t>(line.size()) ? "the disk is full" : std::strerror(errno);
   std::ignore = ftruncate(file_, static_cast<off_t>(end));
   fail(why);
 }
 
 void Journal::fail(std::string_view what) const {
-  throw InputError(fmt::format("{}: can't be written: {}; make room: nothing that was told before is lost", path_, what));
+  throw InputError(
+      fmt::format("{}: can't be written: {}; make room: nothing that was told before is lost", path_, what));
 }
 
 std::uint64_t Journal::end() const {

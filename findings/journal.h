@@ -1,8 +1,8 @@
 // The truth of a store: its events, one a line, in one file that only grows.
 //
-// The journal of a store DB is DB.ndjson: whoever has the one name has the other, and it's a text that any tool reads.
-// Its first line tells what it is, and which one. A line counts when it is there with its newline; what a killed writer
-// left of a line is cut off by the next one. Any number of processes may write.
+// The journal of a store DB is DB.ndjson: whoever has the one name has the other, and it's a text that any tool
+// reads. Its first line tells what it is, and which one. A line counts when it is there with its newline; what a
+// killed writer left of a line is cut off by the next one. Any number of processes may write.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -32,8 +32,8 @@ class Journal {
   /// When it returns, the event is on the disk. Throws InputError where it can't be written: nothing is changed then.
   void tell(const Event& event);
 
-  /// take(line, the place behind it) for every line that counts from `from` on, the one on top not among them. Events that
-  /// are told meanwhile wait for the next call. Throws InputError if `from` is no place between two lines.
+  /// take(line, the place behind it) for every line that counts from `from` on, the one on top not among them. Events
+  /// that are told meanwhile wait for the next call. Throws InputError if `from` is no place between two lines.
   void read(JournalPlace from, const std::function<void(std::string_view line, JournalPlace behind)>& take) const;
 
   /// The bytes of all lines that count.

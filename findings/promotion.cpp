@@ -23,7 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_safe(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
+         c == '.';
 }
 
 // FNV-1a.
@@ -37,8 +38,10 @@ std::string safe(std::string_view text) {
   constexpr std::size_t longest = 60;
   std::string name;
   for (const char c : text.substr(0, longest))
-    if (is_safe(c)) name += c;
-    else if (!name.ends_with('-')) name += '-';
+    if (is_safe(c))
+      name += c;
+    else if (!name.ends_with('-'))
+      name += '-';
   if (name.starts_with('.') || name.starts_with('-')) name.erase(0, name.find_first_not_of(".-"));
   return name == text ? name : fmt::format("{}-{:08x}", name, hash(text));
 }
@@ -52,7 +55,8 @@ bool write_new(const fs::path& path, const std::string& text) {
   const bool linked = out && link(part.c_str(), path.c_str()) == 0;
   const int error = errno;
   unlink(part.c_str());
-  if (!linked && error != EEXIST) throw InputError(fmt::format("{}: can't be written: {}; write elsewhere", path.string(), std::strerror(error)));
+  if (!linked && error != EEXIST)
+    throw InputError(fmt::format("{}: can't be written: {}; write elsewhere", path.string(), std::strerror(error)));
   return linked;
 }
 
@@ -69,14 +73,15 @@ Case promoted(const FindingRow& row, const Tracer* tracer) {
   if (!input) return worst;
   const auto shrunk = shrink(*input, *tracer, Keep::nominal);
   if (!shrunk)
-    throw InputError(fmt::format("finding {}: {} gets its worst case right now; 'plumbline triage retest' closes what is fixed",
-                                 row.id, printable(row.tracer)));
+    throw InputError(
+        fmt::format("finding {}: {} gets its worst case right now; 'plumbline triage retest' closes what is fixed",
+                    row.id, printable(row.tracer)));
   Case simple = to_case(shrunk->input);
   simple.provenance = worst.provenance;
   const auto now = signature(shrunk->after);
-  simple.provenance.push_back(fmt::format("shrunk from {} to {} significant bits (nominal): {}, {}", shrunk->bits_before,
-                                          shrunk->bits_after, severity_text(finding_ulps(shrunk->after, *now), now->conditioning),
-                                          to_word(*now)));
+  simple.provenance.push_back(
+      fmt::format("shrunk from {} to {} significant bits (nominal): {}, {}", shrunk->bits_before, shrunk->bits_after,
+                  severity_text(finding_ulps(shrunk->after, *now), now->conditioning), to_word(*now)));
   set_finding(simple, row.tracer, row.kind);
   return simple;
 }

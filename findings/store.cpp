@@ -78,7 +78,8 @@ constexpr std::string_view select_findings = R"(
                                 ORDER BY line DESC LIMIT 1 OFFSET 1), 0) AS is_new,
          worst_ulps, worst_bits, simplest_ulps, simplest_bits
   FROM finding WHERE )";
-constexpr std::string_view worst_first = " ORDER BY conditioning = 'nominal' DESC, worst_ulps DESC, tracer, signature";
+constexpr std::string_view worst_first =
+    " ORDER BY conditioning = 'nominal' DESC, worst_ulps DESC, tracer, signature";
 
 std::string case_text(const Case& what) {
   std::string text;
@@ -103,19 +104,25 @@ class Fold {
 
   void apply(const FoundFinding& f, std::int64_t line) {
     const std::string found = printable(fmt::format("found {} by {}, with {}", f.seen, f.source, f.build));
-    finding_.with(f.tracer, f.signature, name(f.kind), name(f.element), name(f.conditioning), line, f.seen, f.found.ulps,
-                  std::int64_t{f.found.bits}).run();
+    finding_
+        .with(f.tracer, f.signature, name(f.kind), name(f.element), name(f.conditioning), line, f.seen, f.found.ulps,
+              std::int64_t{f.found.bits})
+        .run();
     examples_.with(f.tracer, f.signature, line, found, case_text(f.found.what)).run();
     build_.with(f.tracer, f.signature, f.build).run();
   }
 
   void apply(const SearchRow& s, std::int64_t line) {
-    search_.with(line, s.tracer, s.source, s.ended, whole(s.executions), s.worst_nominal_ulps, s.least_margin_ulps,
-                 whole(s.signatures)).run();
+    search_
+        .with(line, s.tracer, s.source, s.ended, whole(s.executions), s.worst_nominal_ulps, s.least_margin_ulps,
+              whole(s.signatures))
+        .run();
   }
 
   void apply(const StatusSet& s, std::int64_t) {
-    status_.with(s.finding.tracer, s.finding.signature, name(s.status), s.duplicate_of.tracer, s.duplicate_of.signature).run();
+    status_
+        .with(s.finding.tracer, s.finding.signature, name(s.status), s.duplicate_of.tracer, s.duplicate_of.signature)
+        .run();
     if (database_.changes() == 0) throw InputError("a status of what is not among the findings before it");
   }
 
@@ -142,19 +149,25 @@ FindingStore::FindingStore(const std::string& path, const std::string& file, Ope
       cases_(path) {}
 
 void FindingStore::prepare_schema() {
-  const std::int64_t application = database_.integer("PRAGMA application_id"), found = database_.integer("PRAGMA user_version");
+  const std::int64_t application = database_.integer("PRAGMA application_id"),
+                     found = database_.integer("PRAGMA user_version");
   const bool empty = application == 0 && found == 0 && database_.integer("SELECT count(*) FROM sqlite_schema") == 0;
-  if (!empty && application != application_id) database_.fail_as_damaged("a database of something else than Plumbline's findings");
-  if (found > version) database_.fail_as_damaged(fmt::format("of a newer Plumbline (schema {}, this one has {})", found, version));
+  if (!empty && application != application_id)
+    database_.fail_as_damaged("a database of something else than Plumbline's findings");
+  if (found > version)
+    database_.fail_as_damaged(fmt::format("of a newer Plumbline (schema {}, this one has {})", found, version));
   database_.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; PRAGMA foreign_keys = ON");
   if (found < version) {
     Transaction transaction(database_);
     if (database_.integer("PRAGMA user_version") < version) {  // else another process was first
-      database_.run("DROP TABLE IF EXISTS build; DROP TABLE IF EXISTS example; DROP TABLE IF EXISTS finding; DROP TABLE IF EXISTS search; "
-                    "DROP TABLE IF EXISTS journal");
+      database_.run(
+          "DROP TABLE IF EXISTS build; DROP TABLE IF EXISTS example; DROP TABLE IF EXISTS finding; DROP TABLE IF "
+          "EXISTS search; "
+          "DROP TABLE IF EXISTS journal");
       database_.run(schema);
       database_.prepare("INSERT INTO journal VALUES (?, 0, 0)").with(journal_.identity()).run();
-      database_.run(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", application_id, version).c_str());
+      database_.run(
+          fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", application_id, version).c_str());
     }
     transaction.commit();
   }
@@ -211,8 +224,10 @@ std::optional<FindingRow> FindingStore::row(std::int64_t id) {
 std::vector<FindingRow> FindingStore::select(const std::string& where, const RowFilter& filter) {
   std::vector<FindingRow> rows;
   Statement from = database_.prepare(fmt::format("{}{}{}", select_findings, where, worst_first));
-  if (filter.tracer.empty()) from.with();
-  else from.with(filter.tracer);
+  if (filter.tracer.empty())
+    from.with();
+  else
+    from.with(filter.tracer);
   while (from.step()) {
     FindingRow& row = rows.emplace_back();
     row.id = from.integer(0);
@@ -243,11 +258,12 @@ std::vector<FindingRow> FindingStore::select(const std::string& where, const Row
 
 Case FindingStore::example(const FindingRow& row, std::string_view which, double ulps) {
   Statement from = database_.prepare("SELECT found, text FROM example WHERE finding = ? AND which = ?");
-  if (!from.with(row.id, which).step()) database_.fail_as_damaged(fmt::format("finding {} has lost its {} case", row.id, which));
+  if (!from.with(row.id, which).step())
+    database_.fail_as_damaged(fmt::format("finding {} has lost its {} case", row.id, which));
   Case what = cases_.read(from.text(1));
   what.id = row.signature;
-  what.provenance = {fmt::format("{} of {}", name(row.kind), printable(row.tracer)), severity_text(ulps, row.conditioning),
-                     from.text(0)};
+  what.provenance = {fmt::format("{} of {}", name(row.kind), printable(row.tracer)),
+                     severity_text(ulps, row.conditioning), from.text(0)};
   set_finding(what, row.tracer, row.kind);
   return what;
 }
@@ -256,7 +272,8 @@ std::vector<SearchRow> FindingStore::searches() {
   catch_up();
   std::vector<SearchRow> rows;
   Statement from = database_.prepare(
-      "SELECT tracer, source, ended, executions, worst_nominal_ulps, least_margin_ulps, signatures FROM search ORDER BY line");
+      "SELECT tracer, source, ended, executions, worst_nominal_ulps, least_margin_ulps, signatures FROM search ORDER "
+      "BY line");
   while (from.step())
     rows.push_back({.tracer = from.text(0),
                     .source = from.text(1),
@@ -275,15 +292,18 @@ void FindingStore::tell(const Event& event) {
 
 FindingName FindingStore::name_of(std::int64_t id) {
   Statement from = database_.prepare("SELECT tracer, signature FROM finding WHERE id = ?");
-  if (!from.with(id).step()) throw InputError(fmt::format("{}: no finding {}; 'plumbline triage {}' lists them", path_, id, path_));
+  if (!from.with(id).step())
+    throw InputError(fmt::format("{}: no finding {}; 'plumbline triage {}' lists them", path_, id, path_));
   return {from.text(0), from.text(1)};
 }
 
-void FindingStore::set_status(std::int64_t id, FindingStatus status, std::int64_t duplicate_of, const std::string& by) {
+void FindingStore::set_status(std::int64_t id, FindingStatus status, std::int64_t duplicate_of,
+                              const std::string& by) {
   catch_up();
   StatusSet set{.finding = name_of(id), .status = status, .duplicate_of = {}, .by = by, .set = {}};
   if (status == FindingStatus::duplicate) {
-    if (id == duplicate_of) throw InputError(fmt::format("finding {} can't be a duplicate of itself; name another", id));
+    if (id == duplicate_of)
+      throw InputError(fmt::format("finding {} can't be a duplicate of itself; name another", id));
     set.duplicate_of = name_of(duplicate_of);
   }
   tell(set);
@@ -310,7 +330,9 @@ std::vector<std::string> rebuild(const std::string& path) {
   for (const char* suffix : {"-wal", "-shm", ""})
     if (fs::exists(path + suffix)) fs::rename(path + suffix, path + ".old" + suffix, error);
   fs::rename(made, path, error);
-  if (error) throw InputError(fmt::format("{}: can't be put in place: {}; the new database is {}", path, error.message(), made));
+  if (error)
+    throw InputError(
+        fmt::format("{}: can't be put in place: {}; the new database is {}", path, error.message(), made));
   return warnings;
 }
 

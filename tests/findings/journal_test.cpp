@@ -50,7 +50,8 @@ class JournalTest : public testing::Test {
 };
 
 TEST_F(JournalTest, MustBeThereUnlessItIsToBeMade) {
-  EXPECT_THAT(error_of([&] { Journal(store(), Open::existing); }), AllOf(HasSubstr(store()), HasSubstr("--findings")));
+  EXPECT_THAT(error_of([&] { Journal(store(), Open::existing); }),
+              AllOf(HasSubstr(store()), HasSubstr("--findings")));
   const std::string identity = Journal(store(), Open::create).identity();
   EXPECT_EQ(Journal(store(), Open::existing).identity(), identity);
   EXPECT_EQ(Journal(store(), Open::create).identity(), identity);
@@ -96,7 +97,8 @@ TEST_F(JournalTest, MendsATornLineOnTop) {
 TEST_F(JournalTest, LeavesOtherFilesAlone) {
   for (const std::string other : {"no newline", "{\"id\":1}\n", "\n"}) {
     std::ofstream(file()) << other;
-    EXPECT_THAT(error_of([&] { Journal(store(), Open::create); }), AllOf(HasSubstr(file() + ":1"), HasSubstr("no journal")));
+    EXPECT_THAT(error_of([&] { Journal(store(), Open::create); }),
+                AllOf(HasSubstr(file() + ":1"), HasSubstr("no journal")));
     EXPECT_EQ(content(), other);
   }
 }
@@ -146,7 +148,8 @@ TEST_F(JournalTest, TakesManyWriters) {
 }
 
 TEST(EventLine, ReadsBackEqual) {
-  FoundFinding f = told("pipe:./x \"y\"\n<script>'; DROP TABLE finding; --\x1b[2J", "false-hit-bc-nominal-c1", 0x1.8p-3, 7, -0.0);
+  FoundFinding f =
+      told("pipe:./x \"y\"\n<script>'; DROP TABLE finding; --\x1b[2J", "false-hit-bc-nominal-c1", 0x1.8p-3, 7, -0.0);
   f.found.what.ray.t_max = 0x1.23456789abcdep+10;
   f.found.what.aim = Aim{.target = TargetKind::tolerance, .tolerance = 0.1, .standoff = 5, .wish = Wish::hit};
   EventReader reader;

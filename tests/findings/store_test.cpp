@@ -57,7 +57,8 @@ TEST_F(StoreTest, IsEmptyAtFirst) {
 
 TEST_F(StoreTest, HasARowForEachSignatureOfEachTracer) {
   FindingStore store = made();
-  for (const auto& [tracer, signature] : {std::pair{"a", "s"}, {"b", "s"}, {"a", "r"}, {"a", "s"}}) store.tell(told(tracer, signature, 1, 1));
+  for (const auto& [tracer, signature] : {std::pair{"a", "s"}, {"b", "s"}, {"a", "r"}, {"a", "s"}})
+    store.tell(told(tracer, signature, 1, 1));
   std::vector<std::string> seen;
   for (std::int64_t id = 1; id <= 3; ++id) seen.push_back(store.row(id)->tracer + store.row(id)->signature);
   EXPECT_THAT(seen, ElementsAre("as", "bs", "ar"));  // in the order of finding
@@ -105,7 +106,8 @@ TEST_F(StoreTest, ListsTheNominalFirstTheWorstFirst) {
 
 TEST_F(StoreTest, NamesBuildsOnceAndTheFirstAndLastTime) {
   FindingStore store = made();
-  for (const auto& [build, seen] : {std::pair{"one", "2026-01-01T00:00:00Z"}, {"two", "2026-01-02T00:00:00Z"}, {"one", "2026-01-03T00:00:00Z"}}) {
+  for (const auto& [build, seen] :
+       {std::pair{"one", "2026-01-01T00:00:00Z"}, {"two", "2026-01-02T00:00:00Z"}, {"one", "2026-01-03T00:00:00Z"}}) {
     FoundFinding f = told("t", "s", 1, 1);
     f.build = build;
     f.seen = seen;
@@ -132,7 +134,8 @@ TEST_F(StoreTest, SettlesAndReopens) {
   store.tell(told("t", "one", 1, 1));  // found again
   EXPECT_EQ(store.row(1)->status, FindingStatus::open);
   EXPECT_THAT(error_of([&] { store.set_status(1, FindingStatus::duplicate, 1, "person"); }), HasSubstr("of itself"));
-  EXPECT_THAT(error_of([&] { store.set_status(1, FindingStatus::duplicate, 9, "person"); }), HasSubstr("no finding 9"));
+  EXPECT_THAT(error_of([&] { store.set_status(1, FindingStatus::duplicate, 9, "person"); }),
+              HasSubstr("no finding 9"));
 }
 
 TEST_F(StoreTest, TellsWhatIsNewSinceTheLastSearchButOne) {
@@ -159,7 +162,8 @@ TEST_F(StoreTest, TellsWhatIsNewSinceTheLastSearchButOne) {
 TEST_F(StoreTest, IsTheSameWhenTheDatabaseIsGoneOrRebuilt) {
   {
     FindingStore store = made();
-    for (int i = 0; i < 30; ++i) store.tell(told("t" + std::to_string(i % 3), "s" + std::to_string(i % 7), i, 100 - i, i));
+    for (int i = 0; i < 30; ++i)
+      store.tell(told("t" + std::to_string(i % 3), "s" + std::to_string(i % 7), i, 100 - i, i));
     store.tell(search_of("t1", 1000));
     store.set_status(4, FindingStatus::duplicate, 2, "person");
     store.set_status(3, FindingStatus::fixed, 0, "retest");
@@ -184,7 +188,8 @@ TEST_F(StoreTest, NamesADamagedLineAndGoesOnWhenRebuilt) {
   made().tell(told("t", "one", 1, 1));
   append("{\"event\":\"finding\",\"tracer\":\n");
   Journal(path(), Open::existing).tell(told("t", "two", 1, 1));
-  EXPECT_THAT(error_of([&] { FindingStore store(path()); }), AllOf(HasSubstr(path() + ".ndjson:3: "), HasSubstr("triage rebuild")));
+  EXPECT_THAT(error_of([&] { FindingStore store(path()); }),
+              AllOf(HasSubstr(path() + ".ndjson:3: "), HasSubstr("triage rebuild")));
   EXPECT_THAT(rebuild(path()), ElementsAre(HasSubstr(path() + ".ndjson:3: ")));
   EXPECT_THAT(FindingStore(path()).rows(), SizeIs(2));
   std::ifstream in(path() + ".ndjson");
@@ -224,10 +229,14 @@ TEST_F(StoreTest, RefusesADatabaseThatIsNoStoreAndRebuildMendsIt) {
       fs::resize_file(path(), fs::file_size(path()) / 2 / 4096 * 4096);
     }
   };
-  for (const auto& [what, part] : {std::pair{"text", "not a database"}, {"PRAGMA application_id = 7", "something else"},
-                                   {"PRAGMA user_version = 99", "newer"}, {"cut", "malformed"}}) {
+  for (const auto& [what, part] : {std::pair{"text", "not a database"},
+                                   {"PRAGMA application_id = 7", "something else"},
+                                   {"PRAGMA user_version = 99", "newer"},
+                                   {"cut", "malformed"}}) {
     spoil(what);
-    EXPECT_THAT(error_of([&] { FindingStore(path()).rows(); }), AllOf(HasSubstr(path()), HasSubstr(part), HasSubstr("triage rebuild"))) << what;
+    EXPECT_THAT(error_of([&] { FindingStore(path()).rows(); }),
+                AllOf(HasSubstr(path()), HasSubstr(part), HasSubstr("triage rebuild")))
+        << what;
     EXPECT_THAT(rebuild(path()), IsEmpty());
     EXPECT_THAT(FindingStore(path()).rows(), SizeIs(1)) << what;
   }
@@ -249,8 +258,17 @@ TEST_F(StoreTest, RefusesAnotherJournal) {
 }
 
 TEST_F(StoreTest, HoldsHostileNames) {
-  const std::vector<std::string> names = {"pipe:./x y", "./lib.so", "a\nb", "\"'", "'; DROP TABLE finding; --", "<script>alert(1)</script>",
-                                          std::string("nul\0behind", 10), "", "\x1b[2J", "%s%n{}", "../../etc/passwd"};
+  const std::vector<std::string> names = {"pipe:./x y",
+                                          "./lib.so",
+                                          "a\nb",
+                                          "\"'",
+                                          "'; DROP TABLE finding; --",
+                                          "<script>alert(1)</script>",
+                                          std::string("nul\0behind", 10),
+                                          "",
+                                          "\x1b[2J",
+                                          "%s%n{}",
+                                          "../../etc/passwd"};
   FindingStore store = made();
   for (const std::string& name : names) store.tell(told(name, name + "s", 1, 1));
   for (std::size_t i = 0; i < names.size(); ++i) {
