@@ -6,6 +6,7 @@
 #include <future>
 #include <mutex>
 
+#include "analysis/ask.h"
 #include "case/input_error.h"
 #include "case/precision.h"
 #include "oracle/classify.h"
@@ -123,10 +124,22 @@ class Worker {
     for (std::size_t i = 0; i < asked_.size(); ++i) {
       const Query query = info.own_queries ? prepared->asked(asked_[i]) : asked_[i];
       const Truth truth = info.own_queries ? classify(triangle, searched_ray(query, info.contract)) : truths_[i];
+      const VerdictKind verdict = judge(triangle, query, truth, answers_[i], info.contract);
       count(tallies[layout_.row_of_shot[i]], layout_.shots[i].wish, right_answer(triangle, query, truth, info.contract),
-            answers_[i].outcome, judge(triangle, query, truth, answers_[i], info.contract));
+            answers_[i].outcome, verdict);
+      if (plan_.on_wrong && wrong(verdict))
+        tell_wrong(*plan_.tracers[tracer], bag, i, query);
     }
     conduct_[tracer] += prepared->conduct();
+  }
+
+  [[gnu::cold]] void tell_wrong(const Tracer& tracer, const Bag& bag, std::size_t shot, const Query& query) const {
+    Case what;
+    what.precision = tracer.info().contract.precision;
+    what.bag = bag;
+    what.ray = asked_[shot];
+    what.aim = layout_.shots[shot];
+    plan_.on_wrong({tracer, what, query, answers_[shot]});
   }
 
   const SweepPlan& plan_;

@@ -7,11 +7,20 @@
 #include <vector>
 
 #include "analysis/tally.h"
+#include "case/case.h"
 #include "case/lattice.h"
+#include "case/query.h"
 #include "case/targets.h"
 #include "float_tracer/tracer.h"
 
 namespace plumbline {
+
+struct WrongAnswer {
+  const Tracer& tracer;
+  Case what;  ///< as put to the tracer
+  Query asked;
+  Answer answer;
+};
 
 struct SweepPlan {
   std::vector<Lattice> lattices;        ///< at least one; of the same box and step, at different offsets
@@ -21,6 +30,8 @@ struct SweepPlan {
   Bag object;  ///< mode, thickness and so on of each triangle; no triangles
   std::vector<const Tracer*> tracers;
   TripleRange triples;  ///< of each lattice
+  /// Called for each wrong answer, by several threads at once; none: nobody wants to know.
+  std::function<void(const WrongAnswer&)> on_wrong = {};
   unsigned jobs = 1;    ///< threads
 };
 

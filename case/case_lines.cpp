@@ -430,15 +430,18 @@ bool CaseLines::next(CaseLine& line) { return impl_->next(line); }
 bool CaseLines::ready() { return impl_->ready(); }
 void CaseLines::fail(std::string_view message) const { impl_->fail(message); }
 
-class AnswerReader::Impl {
- public:
-  explicit Impl(std::string name) : reader_(std::move(name)) {}
+namespace {
 
-  AnswerLine read(std::string_view text) {
+// Lines from anywhere, copied to where the parser may read on.
+class PaddedReader {
+ public:
+  explicit PaddedReader(std::string name) : reader_(std::move(name)) {}
+
+  const CaseLine& read(std::string_view text, void (LineReader::*as)(std::string_view, std::size_t, CaseLine&)) {
     text_.assign(text);
     text_.reserve(text_.size() + InputFile::padding);
-    reader_.read_answer(text_, ++line_number_, line_);
-    return {line_.id, *line_.answer};
+    (reader_.*as)(text_, ++line_number_, line_);
+    return line_;
   }
 
  private:
@@ -448,8 +451,25 @@ class AnswerReader::Impl {
   CaseLine line_;
 };
 
+}  // namespace
+
+class CaseObjects::Impl : public PaddedReader {
+  using PaddedReader::PaddedReader;
+};
+
+CaseObjects::CaseObjects(std::string name) : impl_(std::make_unique<Impl>(std::move(name))) {}
+CaseObjects::~CaseObjects() = default;
+Case CaseObjects::read(std::string_view object) { return impl_->read(object, &LineReader::read_case).asked; }
+
+class AnswerReader::Impl : public PaddedReader {
+  using PaddedReader::PaddedReader;
+};
+
 AnswerReader::AnswerReader(std::string name) : impl_(std::make_unique<Impl>(std::move(name))) {}
 AnswerReader::~AnswerReader() = default;
-AnswerLine AnswerReader::read(std::string_view line) { return impl_->read(line); }
+AnswerLine AnswerReader::read(std::string_view line) {
+  const CaseLine& said = impl_->read(line, &LineReader::read_answer);
+  return {said.id, *said.answer};
+}
 
 }  // namespace plumbline

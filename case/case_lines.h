@@ -41,6 +41,21 @@ class CaseLines {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Reads cases that are objects within other JSON, one after another. `id` may be missing.
+class CaseObjects {
+ public:
+  /// `name` stands for the file in messages.
+  explicit CaseObjects(std::string name);
+  ~CaseObjects();
+
+  /// Throws InputError as CaseLines::next does. The objects are counted from 1.
+  Case read(std::string_view object);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
 /// What a line says that is an answer alone.
 struct AnswerLine {
   std::string id;  ///< JSON text of the scalar

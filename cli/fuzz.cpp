@@ -8,10 +8,12 @@
 #include "analysis/text_table.h"
 #include "case/enum_names.h"
 #include "case/input_error.h"
+#include "cli/findings_option.h"
 #include "cli/number_options.h"
 #include "cli/output.h"
 #include "cli/tracer_options.h"
 #include "cli/verb.h"
+#include "findings/store.h"
 #include "fuzz/findings_folder.h"
 #include "fuzz/launcher.h"
 #include "fuzz/worker.h"
@@ -20,7 +22,7 @@ namespace plumbline {
 namespace {
 
 struct Options {
-  std::string tracer, space = "ray", domain = "nominal", folder;
+  std::string tracer, space = "ray", domain = "nominal", folder, store;
   std::optional<std::uint64_t> runs;
   std::optional<double> seconds;
   unsigned jobs = 1;
@@ -63,7 +65,9 @@ std::string report(const CampaignPlan& plan, const Summary& summary, const std::
     text += fmt::format("\nCases: {0}/findings; why: plumbline explain {0}/findings/{1}.case --tracer {2}\n", folder,
                         to_word(findings.front().signature), summary.tracer);
   else
-    text += "Nothing found.\n";
+    text += "Nothing found.\n" + (summary.least_margin ? fmt::format("Nominal cases as near as {:.4g} ulps to another answer were answered rightly.\n",
+                                                                      *summary.least_margin)
+                                                        : "");
   return text;
 }
 
@@ -86,12 +90,27 @@ void run(const Options& options) {
   for (const std::string& path : options.seeds) launched.options.push_back("--seeds=" + path);
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stop = true; });
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow can't be written
+  std::uint64_t executions = 0;  // of earlier calls
+  if (!options.store.empty()) {
+    FindingStore(options.store, Open::create);  // told now rather than at the end, if it is no good
+    launched.options.push_back("--findings=" + options.store);
+    if (const auto before = read_summary(std::filesystem::path(options.folder) / "summary.json")) executions = before->executions;
+  }
   const bool terminal = isatty(STDERR_FILENO) != 0;
   const Summary summary = launch(launched, stop, terminal ? show : std::function<void(const LaunchStatus&)>());
   if (terminal) fmt::print(stderr, "\r\x1b[K");
   Output output;
   output.write(report(plan, summary, options.folder));
   output.finish();
+  if (options.store.empty()) return;
+  FindingStore(options.store).tell(SearchRow{
+      .tracer = summary.tracer,
+      .source = fmt::format("fuzz: space {}, domain {}, seed {}", options.space, options.domain, options.seed),
+      .ended = {},
+      .executions = summary.executions - std::min(executions, summary.executions),
+      .worst_nominal_ulps = summary.worst_nominal_severity,
+      .least_margin_ulps = summary.least_margin.value_or(0),
+      .signatures = summary.signatures});
 }
 
 }  // namespace
@@ -130,6 +149,7 @@ void add_fuzz(CLI::App& app) {
   verb->add_option("-o,--output", o.folder, "The campaign's folder; one that is there is gone on with")
       ->required()
       ->type_name("DIR");
+  add_findings_option(*verb, o.store);
   add_tracer_timeout(*verb, o.foreign);
   verb->footer(
       "Nothing that is found stops the search. In DIR:\n"
@@ -137,7 +157,8 @@ void add_fuzz(CLI::App& app) {
       "  findings.ndjson   a line for each finding that was new, or twice as severe\n"
       "  elites/           the worst case of each cell of the archive: inputs as plain bytes\n"
       "  summary.json      executions, executions_per_s, first_disagreement (the execution of the first answer with a\n"
-      "                    severity above 0), signatures, worst_nominal_severity (in ulps), cells\n"
+      "                    severity above 0), signatures, worst_nominal_severity (in ulps), least_margin (of\n"
+      "                    a nominal case answered rightly: how near to another answer, in ulps), cells\n"
       "Ctrl-C ends it, and the same command goes on with it. A process that is killed loses no finding that is new or\n"
       "twice as severe. Severity: how far the ray would have to move for the answer to be true; nominal: neither grazing,\n"
       "nor a sliver, nor far away, each by 2^10 (oracle/README.md).\n\n" +

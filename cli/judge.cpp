@@ -7,40 +7,67 @@
 #include "analysis/tracers.h"
 #include "case/input_error.h"
 #include "case/json_object.h"
+#include "case/printable.h"
+#include "cli/findings_option.h"
 #include "cli/stream.h"
 #include "cli/tracer_options.h"
 #include "cli/verb.h"
+#include "findings/collector.h"
+#include "findings/found.h"
+#include "findings/store.h"
 
 namespace plumbline {
 namespace {
 
 struct Options {
   StreamOptions stream;
-  std::string tracer;
+  std::string tracer, store;
   ForeignOptions foreign;
 };
 
 // By what --tracer promises and is really asked, else the tracer which the line names; else by the default contract.
 class Judge {
  public:
-  explicit Judge(const Tracer* chosen) : chosen_(chosen) {}
+  Judge(const Tracer* chosen, const std::string& store) : chosen_(chosen) {
+    if (!store.empty()) collector_.emplace(store, "judge");
+  }
 
   Judgement judge(const CaseLine& line) {
     const Tracer* const tracer = chosen_ ? chosen_ : tracer_named(line.tracer);
     if (tracer) {
       const Case put = put_at(line.asked, tracer->info().contract.precision);
       const Query query = tracer->info().own_queries ? tracer->prepare(put.bag)->asked(put.ray) : Query(put.ray);
-      return plumbline::judge(put, {.query = query, .answer = *line.answer}, tracer->info().contract);
+      return judge(line, tracer->info().contract, put, query);
     }
     if (!line.tracer.empty() && warned_of_.insert(line.tracer).second)
-      fmt::print(stderr, "warning: '{}' is no tracer of this build: judged by the default contract; {}\n", line.tracer,
-                 suggest_tracer(line.tracer));
-    return plumbline::judge(line.asked, *line.answer, Contract{.precision = line.asked.precision});
+      fmt::print(stderr, "warning: '{}' is no tracer of this build: judged by the default contract; {}\n",
+                 printable(line.tracer), suggest_tracer(line.tracer));
+    return judge(line, Contract{.precision = line.asked.precision}, line.asked, line.asked.ray);
+  }
+
+  void finish() {
+    if (collector_) collector_->finish();
   }
 
  private:
+  Judgement judge(const CaseLine& line, const Contract& contract, const Case& put, const Query& query) {
+    const Judgement judgement = plumbline::judge(put, {.query = query, .answer = *line.answer}, contract);
+    if (!collector_) return judgement;
+    // Who answered, which need not be the one whose contract holds.
+    TracerInfo info = chosen_ ? chosen_->info() : TracerInfo{.name = "unnamed", .summary = "", .source = "", .contract = {}};
+    if (!line.tracer.empty()) info.name = line.tracer;
+    info.contract = contract;
+    const Tracer* const tracer = tracer_named(info.name);
+    info.package = tracer ? tracer->info().package : "";
+    collector_->count(info.name, 1);
+    if (wrong(judgement.verdict))
+      if (const auto found = finding_in_answer(info, tracer, put, query, *line.answer, "judge")) collector_->add(*found);
+    return judgement;
+  }
+
   const Tracer* chosen_;
   std::set<std::string> warned_of_;
+  std::optional<Collector> collector_;
 };
 
 std::string words(const Condition& condition) {
@@ -71,7 +98,8 @@ void write(const CaseLine& line, const Judgement& judgement, std::string& out) {
 }
 
 bool run(const Options& options) {
-  Judge judge(options.tracer.empty() ? nullptr : &find_tracer(options.tracer, options.foreign));
+  if (!options.store.empty()) FindingStore(options.store, Open::create);
+  Judge judge(options.tracer.empty() ? nullptr : &find_tracer(options.tracer, options.foreign), options.store);
   std::array<std::size_t, verdict_kind_names.size()> count{};
   const auto lines_read =
       answer_lines(options.stream, [&](const CaseLines& lines, const CaseLine& line, std::string& out) {
@@ -88,6 +116,7 @@ bool run(const Options& options) {
   for (std::size_t i = 0; i < count.size(); ++i)
     fmt::print(stderr, "{} {} {}", i == 0 ? ":" : ",", count[i], verdict_kind_names[i]);
   fmt::print(stderr, "\n");
+  judge.finish();
   const auto of = [&count](VerdictKind kind) { return count[static_cast<unsigned>(kind)]; };
   return of(VerdictKind::false_miss) + of(VerdictKind::false_hit) > 0;
 }
@@ -102,6 +131,7 @@ void add_judge(CLI::App& app, bool& disagreement) {
           "Judge by what this tracer promises (default: the tracer that a line names, else closed edges, closed\n"
           "range t_min to t_max)")
       ->type_name("NAME");
+  add_findings_option(*verb, options->store);
   add_tracer_timeout(*verb, options->foreign);
   add_stream_options(*verb, options->stream);
   verb->footer(
@@ -120,10 +150,15 @@ void add_judge(CLI::App& app, bool& disagreement) {
       "  severity     of a wrong answer: by how much the ray would have to be moved for it to be right, as a\n"
       "               length; severity_ulps in units in the last place of the largest coordinate\n"
       "  condition    nominal, or what makes the case ill-conditioned: grazing, sliver, far\n"
+      "--findings: a wrong answer goes to the store as what its line says. The tracer that the line names, else --tracer, is\n"
+      "asked again if this build has it: it alone can tell by which of its tests it missed, and whether numbers over- or\n"
+      "underflowed. Of other tracers that stays unknown, so their signatures are coarser. A tracer without a name is\n"
+      "called 'unnamed'.\n"
       "The counts go to standard error. Exit code 1: a false miss or a false hit. Faults alone exit with 0.\n"
       "\nExample:\n"
       "  plumbline trace --tracer plucker_f32 --merged rays.ndjson | plumbline judge -\n"
-      "  plumbline generate exact_edge23 | my_program | plumbline judge -");
+      "  plumbline generate exact_edge23 | my_program | plumbline judge -\n"
+      "  plumbline generate exact_edge23 | my_program | plumbline judge - --findings found.db");
   verb->callback([options, &disagreement] { disagreement = run(*options); });
 }
 

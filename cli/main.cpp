@@ -7,7 +7,6 @@
 
 #include "case/nearest_name.h"
 #include "cli/output.h"
-#include "cli/triage_html.h"
 #include "cli/verb.h"
 
 namespace {
@@ -36,9 +35,8 @@ int run(int argc, char** argv) {
   plumbline::add_compare(app);
   plumbline::add_fuzz(app);
   plumbline::add_shrink(app);
-  CLI::App* triage = app.add_subcommand("triage", "Findings for people: as pages for a browser");
-  triage->require_subcommand(1);
-  plumbline::add_triage_html(*triage);
+  plumbline::add_triage(app);
+  plumbline::add_promote(app);
   plumbline::add_lattice(app);
   plumbline::add_generate(app);
   plumbline::add_convert(app);

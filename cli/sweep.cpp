@@ -7,16 +7,22 @@
 #include <deque>
 #include <filesystem>
 #include <map>
+#include <mutex>
+#include <optional>
 #include <thread>
 
 #include "analysis/sweep_table.h"
 #include "analysis/tracers.h"
 #include "case/enum_names.h"
 #include "case/input_error.h"
+#include "cli/findings_option.h"
 #include "cli/lattice_options.h"
 #include "cli/output.h"
 #include "cli/tracer_options.h"
 #include "cli/verb.h"
+#include "findings/collector.h"
+#include "findings/found.h"
+#include "findings/store.h"
 
 namespace plumbline {
 namespace {
@@ -29,7 +35,7 @@ struct SweepOptions {
   ForeignOptions foreign;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   bool json = false;
-  std::string csv, markdown, directory;
+  std::string csv, markdown, directory, store;
 };
 
 std::atomic<bool> interrupted = false;
@@ -110,9 +116,35 @@ void make_directory(const std::string& directory) {
     throw InputError(fmt::format("{}: cannot be made a folder: {}; write elsewhere", directory, error.message()));
 }
 
+// What a sweep has wrong, for a store of findings.
+class Feed {
+ public:
+  explicit Feed(const std::string& store) : collector_((FindingStore(store, Open::create), store), "sweep") {}
+
+  void add(const WrongAnswer& wrong) {
+    const std::lock_guard lock(mutex_);
+    const auto found = finding_in_answer(wrong.tracer.info(), &wrong.tracer, wrong.what, wrong.asked, wrong.answer, "sweep");
+    if (found) collector_.add(*found);
+  }
+
+  void finish(const SweepResult& result) {
+    for (const SweepRow& row : result.rows) collector_.count(row.tracer->info().name, row.tally.attempts);
+    collector_.finish();
+  }
+
+ private:
+  std::mutex mutex_;
+  Collector collector_;
+};
+
 void run_sweep(const SweepOptions& options) {
-  const SweepPlan plan = plan_of(options);
+  SweepPlan plan = plan_of(options);
   check(plan);
+  std::optional<Feed> feed;
+  if (!options.store.empty()) {
+    feed.emplace(options.store);
+    plan.on_wrong = [&feed](const WrongAnswer& wrong) { feed->add(wrong); };
+  }
   const auto files = files_of(options);
   check_distinct(files);
   if (!options.directory.empty()) make_directory(options.directory);
@@ -138,6 +170,7 @@ void run_sweep(const SweepOptions& options) {
   for (Output& output : outputs) output.finish();
   for (std::size_t i = 0; i < plan.tracers.size(); ++i)
     fmt::print(stderr, "{}", complaints(plan.tracers[i]->info().name, result.conduct[i]));
+  if (feed) feed->finish(result);
   if (partial)
     throw std::runtime_error(
         fmt::format("interrupted: this is of the triples [{}, {}) only, and no file is written; take it "
@@ -183,6 +216,7 @@ void add_sweep(CLI::App& app) {
   verb->add_flag("--json", o.json, "Print JSON, one object a line for each tracer, target and tolerance");
   verb->add_option("--csv", o.csv, "Write the same as CSV")->type_name("FILE");
   verb->add_option("--markdown", o.markdown, "Write the table as Markdown")->type_name("FILE");
+  add_findings_option(*verb, o.store);
   verb->add_option("-o", o.directory, "Write table.md, sweep.csv and sweep.json (one object a line)")->type_name("DIR");
   verb->footer(
       "Without options: the report's own experiment, 336 triangles and 21504 rays.\n"

@@ -1,5 +1,3 @@
-#include "cli/triage_html.h"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -10,9 +8,12 @@
 #include "cli/number_options.h"
 #include "cli/output.h"
 #include "cli/tracer_options.h"
+#include "cli/triage.h"
 #include "findings/case_rows.h"
 #include "findings/pages/pages.h"
+#include "findings/store.h"
 #include "fuzz/summary.h"
+#include "repros/repro.h"
 
 namespace plumbline {
 namespace {
@@ -31,9 +32,18 @@ struct Findings {
   std::vector<SearchRow> searches;
 };
 
+bool is_store(const std::string& path) { return fs::exists(path + ".ndjson") && !fs::is_directory(path); }
+
 // A campaign's folder tells who was searched, and what for.
 Findings read(const std::vector<std::string>& paths) {
   Findings all;
+  if (std::ranges::any_of(paths, is_store)) {
+    if (paths.size() > 1)
+      throw InputError(fmt::format("{}: a store stands alone; 'plumbline triage collect' takes folders into it",
+                                   *std::ranges::find_if(paths, is_store)));
+    FindingStore store(paths.front());
+    return {.rows = store.rows(), .searches = store.searches()};
+  }
   std::vector<CasePath> from;
   for (const std::string& path : paths) {
     const fs::path file = fs::path(path) / "summary.json";
@@ -76,8 +86,16 @@ void make_folder(const std::string& folder) {
     throw InputError(fmt::format("{}: can't be made a folder: {}; name another", folder, error.message()));
 }
 
+std::optional<std::string> repro(const Case& what, ReproForm form, std::string_view tracer) {
+  try {
+    return to_repro(what, form, tracer);
+  } catch (const InputError&) {  // the case can't be told in that form
+    return std::nullopt;
+  }
+}
+
 void run(const Options& options) {
-  PageOptions pages{.pages = options.pages, .tracers = tracers_of(options)};
+  PageOptions pages{.pages = options.pages, .tracers = tracers_of(options), .repro = repro};
   const Findings findings = read(options.paths);
   make_folder(options.folder);
   if (isatty(STDERR_FILENO) != 0)
@@ -104,7 +122,7 @@ void add_triage_html(CLI::App& triage) {
       triage.add_subcommand("html", "Findings as static pages: a list, and a page for each of the worst");
   auto options = std::make_shared<Options>();
   Options& o = *options;
-  verb->add_option("PATH", o.paths, "Folders of campaigns; .case files with lines 'known', and folders of them")
+  verb->add_option("PATH", o.paths, "A store; or folders of campaigns, .case files with lines 'known', folders of them")
       ->required();
   verb->add_option("-o,--output", o.folder, "Where the pages go; made if it isn't there")
       ->required()
@@ -131,6 +149,7 @@ void add_triage_html(CLI::App& triage) {
       "\nExamples:\n"
       "  plumbline fuzz --tracer woop_watertight_f32 --time 10 -o woop\n"
       "  plumbline triage html woop -o pages && xdg-open pages/index.html\n"
+      "  plumbline triage html found.db -o pages\n"
       "  plumbline triage html corpus/hard -o pages --tracer ./libmine.so");
   verb->callback([options] { run(*options); });
 }

@@ -23,5 +23,7 @@ void add_tracers(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_fuzz(CLI::App& app);
 void add_shrink(CLI::App& app);
+void add_triage(CLI::App& app);
+void add_promote(CLI::App& app);
 
 }  // namespace plumbline

@@ -48,6 +48,8 @@ void Campaign::examine(const FuzzInput& input, bool news) {
   features_ = features(e, found, wish);
   if (news && !first_disagreement_ && features_.severity > 0) first_disagreement_ = executions_;
   if (features_.nominal) worst_nominal_ = std::max(worst_nominal_, features_.severity);
+  if (e.nominal() && !found && e.margins->severity_ulps > 0)
+    least_margin_ = std::min(least_margin_, e.margins->severity_ulps);
   if (plan_.search != Search::elites) return;
   if (found) record(*found, input, news);
   if (elites_.offer(input, features_) != 0 && on_elites) on_elites(elites_);

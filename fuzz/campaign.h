@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -74,6 +75,9 @@ class Campaign {
   std::optional<std::uint64_t> first_disagreement() const { return first_disagreement_; }
   /// The greatest severity of a nominal case, in ulps.
   double worst_nominal() const { return worst_nominal_; }
+  /// How near to another answer the nearest nominal case was that the tracer got right, in ulps; those on the boundary itself
+  /// don't count. Infinite: none so far.
+  double least_margin() const { return least_margin_; }
   const Conduct& conduct() const { return examiner_.conduct(); }
   const Features& last_features() const { return features_; }
 
@@ -92,6 +96,7 @@ class Campaign {
   std::uint64_t executions_ = 0;
   std::optional<std::uint64_t> first_disagreement_;
   double worst_nominal_ = 0;
+  double least_margin_ = std::numeric_limits<double>::infinity();
 };
 
 /// The wish of an input in the target space, none in the ray space.

@@ -9,35 +9,18 @@
 #include <iterator>
 #include <tuple>
 
+#include "analysis/found_case.h"
 #include "case/case_files.h"
 #include "case/case_json.h"
 #include "case/case_text.h"
 #include "case/input_error.h"
 #include "case/json_object.h"
-#include "oracle/classify.h"
-#include "oracle/contact.h"
-#include "oracle/measure.h"
+#include "case/printable.h"
 
 namespace plumbline {
 namespace {
 
 namespace fs = std::filesystem;
-
-Expectation expectation(const Triangle& triangle, const Ray& ray) {
-  const Truth truth = classify(triangle, ray);
-  Expectation e;
-  e.hit_class = truth.hit_class;
-  e.feature = truth.feature;
-  e.hit = hit(triangle, ray, truth);
-  if (const auto at = measure<double>(triangle, ray)) e.t = at->t, e.u = at->u, e.v = at->v;
-  return e;
-}
-
-std::string measured(const Finding& finding) {
-  const Conditioning c = finding.signature.conditioning;
-  return fmt::format("severity {:.6g} ulps of the largest coordinate, {}{}", finding.ulps,
-                     c == Conditioning::nominal ? "" : "ill-conditioned: ", name(c));
-}
 
 // The whole line or nothing, whoever else appends; on a full disk a part of it would spoil the next.
 bool append(const fs::path& path, std::string_view line) {
@@ -66,12 +49,11 @@ Case to_case(const Finding& finding, const CampaignPlan& plan) {
   Case c = to_case(finding.input);
   const std::string& tracer = plan.tracer->info().name;
   c.id = to_word(finding.signature);
-  c.provenance = {fmt::format("{} of {}", name(finding.signature.kind), tracer), measured(finding),
+  c.provenance = {fmt::format("{} of {}", name(finding.signature.kind), printable(tracer)),
+                  severity_text(finding.ulps, finding.signature.conditioning),
                   fmt::format("found by fuzz: space {}, domain {}, seed {}, execution {}", name(plan.space),
                               name(plan.domain), plan.seed, finding.execution)};
-  c.expect = expectation(c.bag.triangles.front(), c.ray);
-  if (finding.signature.kind == FindingKind::false_hit) c.known = {{tracer, VerdictKind::false_hit}};
-  if (finding.signature.kind == FindingKind::false_miss) c.known = {{tracer, VerdictKind::false_miss}};
+  set_finding(c, tracer, finding.signature.kind);
   return c;
 }
 

@@ -89,6 +89,7 @@ FuzzerOptions fuzzer_options(int argc, const char* const* argv) {
   app.add_option("--domain", domain)->check(CLI::IsMember(std::vector<std::string>(domain_names.begin(), domain_names.end())));
   app.add_option("--seed", o.worker.campaign.seed, "Of the search");
   app.add_option("--campaign", o.worker.folder, "The folder of the campaign");
+  app.add_option("--findings", o.worker.store, "A store of findings, which has to be there, told what is found");
   app.add_option("--summary", o.worker.summary, "Write the summary to this file at the end");
   app.add_option("--search", search, "elites; for comparison: fresh, given (by libFuzzer alone)")
       ->check(CLI::IsMember(std::vector<std::string>(search_names.begin(), search_names.end())));

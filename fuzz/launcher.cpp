@@ -107,6 +107,7 @@ Summary together(const fs::path& folder) {
     if (one->first_disagreement)
       all->first_disagreement = std::min(*one->first_disagreement, all->first_disagreement.value_or(*one->first_disagreement));
     all->worst_nominal_severity = std::max(all->worst_nominal_severity, one->worst_nominal_severity);
+    if (one->least_margin) all->least_margin = std::min(*one->least_margin, all->least_margin.value_or(*one->least_margin));
     all->cells = std::max(all->cells, one->cells);
   }
   if (!all) return {};

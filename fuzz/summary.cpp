@@ -25,6 +25,7 @@ std::string to_json(const Summary& s) {
   json["first_disagreement"] = s.first_disagreement ? Json(*s.first_disagreement) : Json(nullptr);
   json["signatures"] = s.signatures;
   json["worst_nominal_severity"] = s.worst_nominal_severity;
+  json["least_margin"] = s.least_margin ? Json(*s.least_margin) : Json(nullptr);
   json["cells"] = s.cells;
   json["fingerprint"] = s.fingerprint;
   if (!s.rises.empty()) {
@@ -48,6 +49,7 @@ Summary summary_of(const std::string& text, const std::string& place) {
     if (const Json& first = json.at("first_disagreement"); !first.is_null()) s.first_disagreement = first.get<std::uint64_t>();
     json.at("signatures").get_to(s.signatures);
     json.at("worst_nominal_severity").get_to(s.worst_nominal_severity);
+    if (const Json least = json.value("least_margin", Json()); !least.is_null()) s.least_margin = least.get<double>();
     json.at("cells").get_to(s.cells);
     json.at("fingerprint").get_to(s.fingerprint);
     for (const Json& rise : json.value("rises", Json::array()))

@@ -16,6 +16,7 @@ struct Summary {
   std::optional<std::uint64_t> first_disagreement;  ///< the execution of the first answer of severity > 0
   std::uint64_t signatures = 0;
   double worst_nominal_severity = 0;  ///< in ulps of the largest coordinate; 0: none found
+  std::optional<double> least_margin;  ///< of a nominal case answered rightly: how near to another answer, in ulps
   std::uint64_t cells = 0;
   std::string fingerprint;  ///< of the archive, hexadecimal
 

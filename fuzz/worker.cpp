@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "case/float_bits.h"
 #include "case/input_error.h"
+#include "findings/found.h"
 #include "oracle/severity.h"
 
 namespace plumbline {
@@ -42,6 +44,12 @@ CampaignPlan going_on(CampaignPlan plan, const Summary& before) {
   return plan;
 }
 
+FoundFinding to_found(const Finding& finding, const CampaignPlan& plan) {
+  return found_finding(plan.tracer->info(), finding.signature, finding.ulps, to_case(finding.input),
+                       fmt::format("fuzz: space {}, domain {}, seed {}, execution {}", name(plan.space), name(plan.domain),
+                                   plan.seed, finding.execution));
+}
+
 }  // namespace
 
 FuzzInput input_like(const CampaignPlan& plan) {
@@ -66,8 +74,12 @@ Worker::Worker(WorkerPlan plan) : plan_(std::move(plan)), before_(earlier(plan_)
     campaign_.on_elites = [this](const Elites& elites) { elites_->note(elites); };
     elites_->scan(campaign_.elites(), like, plan_.campaign.domain, recall);
   }
-  if (findings_)
-    campaign_.on_finding = [this](const Finding& finding) { written_ &= findings_->tell(finding, plan_.campaign); };
+  if (!plan_.store.empty()) store_.emplace(plan_.store, Open::existing);
+  // The store first: what the folder has is no news to the next process.
+  campaign_.on_finding = [this](const Finding& finding) {
+    if (store_) store_->tell(to_found(finding, plan_.campaign));
+    if (findings_) written_ &= findings_->tell(finding, plan_.campaign);
+  };
   start_ = Clock::now();
   if (!plan_.folder.empty()) write_summary(state_file(plan_), summary());  // from now on it's this tracer's
   next_look_ = start_ + std::chrono::seconds(1);
@@ -110,6 +122,7 @@ void Worker::finish() {
     all.rises = rises_;
     written &= write_summary(plan_.summary, all);
   }
+  if (store_) store_->finish();
   if (!written)
     throw InputError(fmt::format("{}: not everything could be written; make room and go on with the same command",
                                  (plan_.folder.empty() ? plan_.elites : plan_.folder).string()));
@@ -126,6 +139,8 @@ Summary Worker::summary() const {
   s.cells = campaign_.elites().all().size();
   s.fingerprint = fmt::format("{:016x}", fingerprint(campaign_.elites()));
   s.worst_nominal_severity = campaign_.worst_nominal();
+  if (const double least = std::min(campaign_.least_margin(), before_.least_margin.value_or(campaign_.least_margin())); is_finite(least))
+    s.least_margin = least;
   return s;
 }
 

@@ -3,7 +3,7 @@
 //
 // The folder: elites/ (elites_folder.h), findings/ and findings.ndjson (findings_folder.h), jobs/N.json (summary.h), of
 // which the last is written once a second. A worker begins with what it finds there, so a campaign that was stopped or
-// killed goes on. What is lost by a kill: no finding that was new or twice as severe, and at most some seconds of other
+// killed goes on. A store of findings (findings/journal.h) may be told beside. What is lost by a kill: no finding that was new or twice as severe, and at most some seconds of other
 // elites.
 #pragma once
 #include <atomic>
@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "findings/teller.h"
 #include "fuzz/campaign.h"
 #include "fuzz/elites_folder.h"
 #include "fuzz/findings_folder.h"
@@ -24,6 +25,7 @@ struct WorkerPlan {
   CampaignPlan campaign;
   std::filesystem::path folder;  ///< of the campaign; empty: nothing is kept
   std::filesystem::path elites;  ///< an archive of its own instead; empty: that of the folder
+  std::string store;             ///< of findings, which are told there too; empty: none
   std::filesystem::path summary; ///< where to write summary and rises at the end, instead of jobs/N.json; or empty
   unsigned job = 0;              ///< which of the campaign's processes, from 0
   std::optional<std::uint64_t> runs;  ///< executions
@@ -58,6 +60,7 @@ class Worker {
   Campaign campaign_;
   std::optional<ElitesFolder> elites_;
   std::optional<FindingsFolder> findings_;
+  std::optional<Teller> store_;
   Clock::time_point start_, next_look_;
   bool written_ = true;  // all findings up to now
   std::vector<Summary::Rise> rises_;

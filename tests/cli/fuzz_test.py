@@ -18,7 +18,7 @@ KILLS = int(os.environ.get("FUZZ_KILLS", 5))
 SEED = int(os.environ.get("PLUMBLINE_SEED", 20260101))
 TRACER = "moller_trumbore_f64"
 FIELDS = ["tracer", "space", "domain", "seed", "executions", "seconds", "executions_per_s", "first_disagreement",
-          "signatures", "worst_nominal_severity", "cells", "fingerprint"]
+          "signatures", "worst_nominal_severity", "least_margin", "cells", "fingerprint"]
 
 
 def plumbline(*arguments, **options):

@@ -1,0 +1,19 @@
+// What a .case file says of a finding beside its numbers.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "analysis/signature.h"
+#include "case/case.h"
+
+namespace plumbline {
+
+/// Sets `expect`, what the oracle says of the one triangle and the ray, and `known`: a line where the finding is a
+/// false miss or false hit and the tracer's name is one word, as .case files have it. No line stands for anything
+/// else.
+void set_finding(Case& found, std::string_view tracer, FindingKind kind);
+
+/// "severity 12.5 ulps of the largest coordinate, ill-conditioned: far"
+std::string severity_text(double ulps, Conditioning conditioning);
+
+}  // namespace plumbline

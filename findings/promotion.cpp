@@ -1,0 +1,104 @@
+#include "findings/promotion.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "analysis/found_case.h"
+#include "analysis/shrink.h"
+#include "case/case_text.h"
+#include "case/input_error.h"
+#include "case/printable.h"
+
+namespace plumbline {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_safe(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
+         c == '.';
+}
+
+// FNV-1a.
+std::uint32_t hash(std::string_view text) {
+  std::uint32_t h = 2166136261u;
+  for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 16777619u;
+  return h;
+}
+
+std::string safe(std::string_view text) {
+  constexpr std::size_t longest = 60;
+  std::string name;
+  for (const char c : text.substr(0, longest))
+    if (is_safe(c))
+      name += c;
+    else if (!name.ends_with('-'))
+      name += '-';
+  if (name.starts_with('.') || name.starts_with('-')) name.erase(0, name.find_first_not_of(".-"));
+  return name == text ? name : fmt::format("{}-{:08x}", name, hash(text));
+}
+
+// A file that was there, or is made by another process meanwhile, stays: false.
+bool write_new(const fs::path& path, const std::string& text) {
+  const std::string part = fmt::format("{}.{}.part", path.string(), getpid());
+  std::ofstream out(part);
+  out << text;
+  out.close();
+  const bool linked = out && link(part.c_str(), path.c_str()) == 0;
+  const int error = errno;
+  unlink(part.c_str());
+  if (!linked && error != EEXIST)
+    throw InputError(fmt::format("{}: can't be written: {}; write elsewhere", path.string(), std::strerror(error)));
+  return linked;
+}
+
+std::string content(const fs::path& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+Case promoted(const FindingRow& row, const Tracer* tracer) {
+  const Case& worst = row.worst.what;
+  const auto input = tracer ? from_case(worst, Space::ray, tracer->info().contract.precision) : std::nullopt;
+  if (!input) return worst;
+  const auto shrunk = shrink(*input, *tracer, Keep::nominal);
+  if (!shrunk)
+    throw InputError(
+        fmt::format("finding {}: {} gets its worst case right now; 'plumbline triage retest' closes what is fixed",
+                    row.id, printable(row.tracer)));
+  Case simple = to_case(shrunk->input);
+  simple.provenance = worst.provenance;
+  const auto now = signature(shrunk->after);
+  simple.provenance.push_back(
+      fmt::format("shrunk from {} to {} significant bits (nominal): {}, {}", shrunk->bits_before, shrunk->bits_after,
+                  severity_text(finding_ulps(shrunk->after, *now), now->conditioning), to_word(*now)));
+  set_finding(simple, row.tracer, row.kind);
+  return simple;
+}
+
+std::string file_stem(const FindingRow& row) { return fmt::format("{}-{}", safe(row.tracer), safe(row.signature)); }
+
+std::string put_in_folder(Case what, const std::string& stem, const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder))
+    throw InputError(fmt::format("{}: can't be made a folder: {}; name another", folder, error.message()));
+  for (unsigned n = 1;; ++n) {
+    what.id = n == 1 ? stem : fmt::format("{}-{}", stem, n);
+    const fs::path path = fs::path(folder) / (what.id + ".case");
+    const std::string text = to_text(what);
+    if (write_new(path, text) || content(path) == text) return path.string();
+  }
+}
+
+}  // namespace plumbline

@@ -1,0 +1,24 @@
+// A finding as a regression test: a .case file that says where it comes from.
+#pragma once
+#include <string>
+
+#include "findings/finding_row.h"
+#include "float_tracer/tracer.h"
+
+namespace plumbline {
+
+/// The worst case, shrunk as far as its condition stays the same (Keep::nominal), with provenance, expectation and
+/// `known`. Where `tracer` is null or the case can't be shrunk, it is as it was found. Throws InputError where the
+/// tracer gets it right.
+Case promoted(const FindingRow& row, const Tracer* tracer);
+
+/// What files of this finding are called: tracer and signature in letters that are safe in any file system. Names
+/// that differ give names that differ.
+std::string file_stem(const FindingRow& row);
+
+/// Writes it as FOLDER/STEM.case, or STEM-2.case and so on where another case has that name, and returns the path;
+/// the folder is made. A file that says the same stays. Nothing is ever overwritten. Throws InputError where it can't
+/// be written.
+std::string put_in_folder(Case what, const std::string& stem, const std::string& folder);
+
+}  // namespace plumbline
