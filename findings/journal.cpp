@@ -86,7 +86,10 @@ Journal::Journal(const std::string& store, Open how) : path_(store + ".ndjson") 
   }
 }
 
-Journal::~Journal() { close(file_); }
+Journal::~Journal() {
+  if (unsynced_) std::ignore = fdatasync(file_);
+  close(file_);
+}
 
 void Journal::tell(const Event& event) {
   const std::string line = to_line(event);
@@ -99,11 +102,20 @@ void Journal::append(std::string_view line) {
   const std::uint64_t end = counted_bytes();
   if (end != size_of(file_) && ftruncate(file_, static_cast<off_t>(end)) != 0) fail(std::strerror(errno));
   const ssize_t written = write(file_, line.data(), line.size());
-  if (written == static_cast<ssize_t>(line.size()) && fdatasync(file_) == 0) return;
+  if (written == static_cast<ssize_t>(line.size()) && sync_now_and_then()) return;
   const char* const why =
       written >= 0 && written < static_cast<ssize_t>(line.size()) ? "the disk is full" : std::strerror(errno);
   std::ignore = ftruncate(file_, static_cast<off_t>(end));
   fail(why);
+}
+
+// A search tells some hundred findings in its first second, and a disk takes milliseconds for each.
+bool Journal::sync_now_and_then() {
+  const auto now = Clock::now();
+  unsynced_ = now - synced_ < sync_interval;
+  if (unsynced_) return true;
+  synced_ = now;
+  return fdatasync(file_) == 0;
 }
 
 void Journal::fail(std::string_view what) const {

@@ -4,6 +4,7 @@
 // reads. Its first line tells what it is, and which one. A line counts when it is there with its newline; what a
 // killed writer left of a line is cut off by the next one. Any number of processes may write.
 #pragma once
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -29,7 +30,9 @@ class Journal {
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  /// When it returns, the event is on the disk. Throws InputError where it can't be written: nothing is changed then.
+  /// When it returns, the event is in the file, whatever becomes of the process. On the disk, for the machine to lose
+  /// its power, it is with the first event told sync_interval later, or when the journal is closed. Throws InputError
+  /// where it can't be written: nothing is changed then.
   void tell(const Event& event);
 
   /// take(line, the place behind it) for every line that counts from `from` on, the one on top not among them. Events
@@ -43,7 +46,11 @@ class Journal {
   const std::string& identity() const { return identity_; }
 
  private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds sync_interval{200};
+
   void append(std::string_view line);
+  bool sync_now_and_then();
   std::uint64_t counted_bytes() const;
   std::string bytes(std::uint64_t from, std::uint64_t to) const;
   [[noreturn]] void fail(std::string_view what) const;
@@ -51,6 +58,8 @@ class Journal {
   std::string path_, identity_;
   std::string head_;  // the line on top
   int file_ = -1;
+  Clock::time_point synced_{};
+  bool unsynced_ = false;
 };
 
 }  // namespace plumbline

@@ -28,8 +28,8 @@ FindingRow row_of(const std::string& tracer) {
 TEST(Promotion, FileNamesAreSafeAndDiffer) {
   EXPECT_EQ(file_stem(row_of("moller_trumbore_f64")), "moller_trumbore_f64-false-hit-bc-nominal-c1");
   std::vector<std::string> stems;
-  for (const std::string name :
-       {"a/b", "a b", "a\nb", "../a", ".a", "-a", "", "'; DROP", std::string(500, 'x').c_str(), "\xff"}) {
+  const std::vector<std::string> names = {"a/b", "a b", "a\nb", "../a", ".a", "-a", "", "'; DROP", std::string(500, 'x'), "\xff"};
+  for (const std::string& name : names) {
     const std::string stem = file_stem(row_of(name));
     EXPECT_EQ(stem.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-"), stem.npos)
         << stem;
