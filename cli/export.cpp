@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "analysis/tracers.h"
 #include "case/case_text.h"
@@ -15,7 +16,8 @@ namespace plumbline {
 namespace {
 
 struct Options {
-  std::string file, id, tracer, form, output = "-";
+  std::string file, id, tracer, output = "-";
+  std::vector<std::string> forms;
   ForeignOptions foreign;
 };
 
@@ -48,13 +50,29 @@ std::string tracer_of(const Options& options, const Case& c, ReproForm form) {
                                options.file, c.id, name(form), suitable.front()));
 }
 
-void run(const Options& options) {
-  const ReproForm form = *from_name<ReproForm>(repro_form_names, options.form);
-  const Case c = case_of(options);
-  const std::string text = to_repro(c, form, tracer_of(options, c, form));
-  Output output(options.output);
+void write(const std::string& path, const std::string& text) {
+  Output output(path);
   output.write(text);
   output.finish();
+}
+
+void run(const Options& options) {
+  const Case c = case_of(options);
+  std::vector<std::pair<std::string, std::string>> files;  // all of them are made before one is written
+  for (const std::string& word : options.forms) {
+    const ReproForm form = *from_name<ReproForm>(repro_form_names, word);
+    const std::string name = repro_file_name(form);
+    if (std::ranges::any_of(files, [&](const auto& file) { return file.first == name; }))
+      throw InputError(fmt::format("--as {}: another form is written to {} already; export it by itself", word, name));
+    files.emplace_back(name, to_repro(c, form, tracer_of(options, c, form)));
+  }
+  if (files.size() == 1) return write(options.output, files.front().second);
+  if (options.output == "-") throw InputError("several forms: say in which folder they go, with -o DIR");
+  std::error_code error;
+  std::filesystem::create_directories(options.output, error);
+  if (!std::filesystem::is_directory(options.output))
+    throw InputError(fmt::format("{}: can't be made a folder: {}; name another", options.output, error.message()));
+  for (const auto& [name, text] : files) write((std::filesystem::path(options.output) / name).string(), text);
 }
 
 }  // namespace
@@ -65,15 +83,17 @@ void add_export(CLI::App& app) {
   auto options = std::make_shared<Options>();
   Options& o = *options;
   verb->add_option("CASE", o.file, "A .case file; '-' is standard input")->required();
-  verb->add_option("--as", o.form, "What to write; see below")
+  verb->add_option("--as", o.forms, "What to write, see below; repeatable: then -o names a folder")
       ->required()
+      ->expected(1)
+      ->take_all()
       ->check(CLI::IsMember(std::vector<std::string>(repro_form_names.begin(), repro_form_names.end())))
       ->type_name("FORM");
   verb->add_option("--id", o.id, "The case of this id; needed where the file has several")->type_name("ID");
   verb->add_option("--tracer", o.tracer, "Who gets it wrong (default: the one that the case's line 'known' names)")
       ->type_name("NAME");
   verb->add_option("-o,--output", o.output, "Where it goes; a file appears whole or not at all")
-      ->type_name("FILE")
+      ->type_name("FILE|DIR")
       ->capture_default_str();
   add_tracer_timeout(*verb, o.foreign);
   verb->footer(
@@ -86,6 +106,7 @@ void add_export(CLI::App& app) {
       "                a tracer of another library, or none, stands for the library's usual call\n"
       "  cpp-plain     a textbook kernel written out: moller_trumbore, woop_watertight, plucker, baldwin_weber "
       "(_f32, _f64)\n"
+      "  c-plugin      loads your shared library and asks it in one process, for the debugger\n"
       "  python-proof  proves in exact fractions what is true, with Python alone, and says what was said\n"
       "  obj, ply, asc the triangles and the ray for a viewer, a mesh reader, BRL-CAD's asc2g\n"
       "A program exits with 1 while the answer is wrong, with 0 once it is right, with 2 if it could not ask. A "

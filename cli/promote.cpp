@@ -17,6 +17,7 @@ namespace {
 
 struct Options {
   std::string store, id, folder, tracer;
+  bool failing = false;
   ForeignOptions foreign;
 };
 
@@ -35,11 +36,14 @@ void run(const Options& options) {
     fmt::print(stderr,
                "as it was found, not shrunk: '{}' is no tracer of this build; one of yours is asked with --tracer\n",
                printable(row->tracer));
-  const Case what = promoted(*row, tracer);
-  if (what.known.empty())
+  Case what = promoted(*row, tracer);
+  if (options.failing)
+    what.known.clear();
+  else if (what.known.empty())
     fmt::print(stderr,
                "without a line 'known', which is for false misses and hits of tracers whose name is one word\n");
   const std::string path = put_in_folder(what, file_stem(*row), options.folder);
+  if (options.failing) make_ctest_project(options.folder, options.tracer.empty() ? row->tracer : options.tracer);
   Output output;
   output.write(path + "\n");
   output.finish();
@@ -55,6 +59,9 @@ void add_promote(CLI::App& app) {
   verb->add_option("DIR", options->folder, "Where the .case goes; made where there is none")->required();
   verb->add_option("--tracer", options->tracer, "Whose finding it is: needed for a tracer of yours, to shrink it")
       ->type_name("NAME");
+  verb->add_flag("--failing", options->failing,
+                 "A test that fails until the tracer is right: without the line 'known'; and if DIR has no CMakeLists.txt,\n"
+                 "one that runs all its cases with CTest, by an installed Plumbline");
   add_tracer_timeout(*verb, options->foreign);
   verb->footer(
       "Shrinks the worst case, its condition kept, and writes it with where it comes from, what the oracle says of "

@@ -16,6 +16,7 @@
 #include "case/case_text.h"
 #include "case/input_error.h"
 #include "case/printable.h"
+#include "float_tracer/plugin.h"
 
 namespace plumbline {
 namespace {
@@ -99,6 +100,19 @@ std::string put_in_folder(Case what, const std::string& stem, const std::string&
     const std::string text = to_text(what);
     if (write_new(path, text) || content(path) == text) return path.string();
   }
+}
+
+bool make_ctest_project(const std::string& folder, const std::string& tracer) {
+  const std::string told = names_plugin(tracer) ? "${CMAKE_CURRENT_SOURCE_DIR}/" + fs::relative(tracer, folder).string()
+                                                : tracer;
+  return write_new(fs::path(folder) / "CMakeLists.txt",
+                   fmt::format("# cmake -S . -B build && ctest --test-dir build --output-on-failure\n"
+                               "cmake_minimum_required(VERSION 3.25)\n"
+                               "project(regressions LANGUAGES NONE)\n"
+                               "find_package(plumbline REQUIRED)\n"
+                               "enable_testing()\n"
+                               "plumbline_add_corpus(NAME regressions TRACER \"{}\" CASES ${{CMAKE_CURRENT_SOURCE_DIR}})\n",
+                               told));
 }
 
 }  // namespace plumbline

@@ -21,4 +21,8 @@ std::string file_stem(const FindingRow& row);
 /// be written.
 std::string put_in_folder(Case what, const std::string& stem, const std::string& folder);
 
+/// Makes the folder a project of CMake whose tests are its cases, put to the tracer (what --tracer takes; a path is told from
+/// the folder on); false where it has a CMakeLists.txt already. It needs an installed Plumbline (docs/regressions.md).
+bool make_ctest_project(const std::string& folder, const std::string& tracer);
+
 }  // namespace plumbline

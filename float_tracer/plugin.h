@@ -17,6 +17,11 @@ namespace plumbline {
 /// Whether the name is that of a library's file: it holds a '/' or ends in .so.
 bool names_plugin(std::string_view name);
 
+/// Whether load_plugin made it: its source is the library's path.
+inline bool is_plugin(const TracerInfo& info) {
+  return info.isolation == Isolation::process && names_plugin(info.source) && info.package == info.source;
+}
+
 /// Throws InputError that names the file, the place and the fix: not there, no library, not of this interface or
 /// version, a function missing, a description without sense, death while it is loaded or describes itself. `timeout`
 /// is in seconds, for that and as in IsolationLimits. Throws std::system_error where there can be no process.

@@ -15,6 +15,7 @@ std::string cpp_bullet(const Case& what, std::string_view tracer);
 std::string cpp_glm(const Case& what, std::string_view tracer);
 std::string js_three(const Case& what);
 std::string c_librt(const Case& what, std::string_view tracer);
+std::string c_plugin(const Case& what, std::string_view tracer);
 
 /// `tracer` may be any, or empty.
 std::string python_proof(const Case& what, std::string_view tracer);

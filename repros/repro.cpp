@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "analysis/tracers.h"
+#include "float_tracer/plugin.h"
 #include "repros/forms.h"
 
 namespace plumbline {
@@ -38,6 +40,7 @@ std::string_view asked_by(ReproForm form, const Case& what, std::string_view tra
 ReproForm repro_form_of(std::string_view tracer) {
   if (tracer == "brlcad_bot_classic_kernel")
     return ReproForm::cpp_plain;  // a line at the primitive alone: no call of librt
+  if (const Tracer* mine = tracer_named(tracer); mine && is_plugin(mine->info())) return ReproForm::c_plugin;
   for (const Library& library : libraries)
     if (!library.prefix.empty() && tracer.starts_with(library.prefix)) return library.form;
   return ReproForm::cpp_plain;
@@ -46,7 +49,8 @@ ReproForm repro_form_of(std::string_view tracer) {
 std::string repro_file_name(ReproForm form) {
   switch (form) {
     case ReproForm::js_three: return "repro.mjs";
-    case ReproForm::c_librt: return "repro.c";
+    case ReproForm::c_librt:
+    case ReproForm::c_plugin: return "repro.c";
     case ReproForm::python_proof: return "proof.py";
     case ReproForm::obj: return "scene.obj";
     case ReproForm::ply: return "scene.ply";
@@ -65,6 +69,7 @@ std::string to_repro(const Case& what, ReproForm form, std::string_view tracer) 
     case ReproForm::cpp_glm: return cpp_glm(what, asked);
     case ReproForm::js_three: return js_three(what);
     case ReproForm::c_librt: return c_librt(what, asked);
+    case ReproForm::c_plugin: return c_plugin(what, tracer);
     case ReproForm::python_proof: return python_proof(what, tracer);
     case ReproForm::obj: return obj(what);
     case ReproForm::ply: return ply(what);

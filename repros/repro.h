@@ -11,10 +11,10 @@ namespace plumbline {
 /// Programs exit with 1 while the library under test gets the case wrong, with 0 once it doesn't, with 2 if they
 /// could not ask. A proof exits with 0 if it proves. obj, ply and asc are scenes.
 enum class ReproForm : unsigned char {
-  cpp_plain, cpp_embree, cpp_cgal, cpp_bullet, cpp_glm, js_three, c_librt, python_proof, obj, ply, asc
+  cpp_plain, cpp_embree, cpp_cgal, cpp_bullet, cpp_glm, js_three, c_librt, c_plugin, python_proof, obj, ply, asc
 };
-inline constexpr std::array<std::string_view, 11> repro_form_names = {
-    "cpp-plain", "cpp-embree", "cpp-cgal", "cpp-bullet", "cpp-glm", "js-three", "c-librt", "python-proof",
+inline constexpr std::array<std::string_view, 12> repro_form_names = {
+    "cpp-plain", "cpp-embree", "cpp-cgal", "cpp-bullet", "cpp-glm", "js-three", "c-librt", "c-plugin", "python-proof",
     "obj",       "ply",        "asc"};
 constexpr std::string_view name(ReproForm f) { return repro_form_names[static_cast<unsigned>(f)]; }
 

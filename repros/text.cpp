@@ -35,6 +35,15 @@ std::string harmless(std::string_view text) {
   return out;
 }
 
+std::string c_string(std::string_view text) {
+  std::string literal = "\"";
+  for (const char c : text) {
+    const bool plain = c >= ' ' && c <= '~' && c != '"' && c != '\\' && c != '?';  // '?': no trigraphs
+    literal += plain ? std::string(1, c) : fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+  }
+  return literal + '"';
+}
+
 std::string commented(std::string_view lines, std::string_view leader) {
   std::string out;
   while (!lines.empty()) {

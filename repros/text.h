@@ -25,6 +25,9 @@ std::string harmless(std::string_view text);
 /// Each line behind the leader, "// " say.
 std::string commented(std::string_view lines, std::string_view leader);
 
+/// A string literal of C: all but printable ASCII as octal escapes.
+std::string c_string(std::string_view text);
+
 /// "0x1p+0f, 0x0p+0f, -0x1p-1f": binary32 with a suffix. INFINITY where it is infinite.
 std::string c_number(double x, Precision precision);
 std::string c_numbers(const Vec3& v, Precision precision);

@@ -298,7 +298,8 @@ constexpr std::array<const char*, repro_form_names.size()> repro_titles = {
     "C++, self-contained",    "C++ with Embree",
     "C++ with CGAL",          "C++ with Bullet",
     "C++ with GLM",           "JavaScript with three.js",
-    "C with BRL-CAD’s librt", "Proof in Python, with fractions alone",
+    "C with BRL-CAD’s librt", "C with your shared library",
+    "Proof in Python, with fractions alone",
     "Scene as OBJ",           "Scene as PLY",
     "Scene as BRL-CAD asc"};
 

@@ -263,6 +263,7 @@ class Finding(PagesTest):
                                 {"permissions": ["clipboardReadWrite", "clipboardSanitizedWrite"]})
         page = self.finding_pages(found)[0]
         self.open(found, page)
+        browser.execute_script("for (const more of document.querySelectorAll('details')) more.open = true")
         for button in browser.find_elements(By.CSS_SELECTOR, "button.copy"):
             wanted = self.texts("#" + button.get_attribute("data-copy"))[0]
             button.send_keys(Keys.ENTER)
