@@ -37,6 +37,8 @@ std::string& JsonObject::member(std::string_view key) {
   return out_;
 }
 
+void JsonObject::end() { out_ += '}'; }
+
 void JsonObject::end_line() { out_ += "}\n"; }
 
 void append_json_number(std::string& out, double x) {

@@ -17,6 +17,7 @@ class JsonObject {
   void text(std::string_view key, std::optional<std::string_view> x);
   /// For any other value: append its JSON to what is returned.
   std::string& member(std::string_view key);
+  void end();
   /// Ends the object, and the line.
   void end_line();
 
