@@ -1,0 +1,413 @@
+"""The figures of `plumbline bench tracers`: each function draws one, from what tracers_data.py reads."""
+import math
+import textwrap
+
+from matplotlib import colors, ticker
+
+from figure import BLACK, BLUE, LINES, ORANGE, distinct, pyplot
+from labels import place_labels
+from tracers_data import BITS, LEAST, dials, front, own, points, precisions, speeds, tracers, within
+
+pyplot.rcParams["text.parse_math"] = False  # a tracer's name may hold anything
+GREY, FAINT = "#9aa5ab", "#d4d9dc"
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+# One of each kind of algorithm and library gets a line of its own in figures over difficulty; then who else is there.
+CHOSEN = ("moller_trumbore_f32", "woop_watertight_f32", "plucker_f32", "baldwin_weber_f32", "embree_default",
+          "embree_robust", "bullet_f32", "moller_trumbore_f64", "woop_watertight_f64", "plucker_f64",
+          "baldwin_weber_f64", "brlcad_bot_classic", "cgal_epick", "exact")
+
+
+def short(name, most=30):
+    return name if len(name) <= most else "…" + name[1 - most:]
+
+
+def chosen(bench, precision):
+    names = tracers(bench, precision)
+    return ([n for n in CHOSEN if n in names] + [n for n in names if n not in CHOSEN])[:len(LINES)]
+
+
+def power(value):
+    return "½" if value == LEAST else "2" + f"{round(math.log2(value))}".translate(SUPERSCRIPTS)
+
+
+def error_axis(axis, precision, lowest="½ or less"):
+    """Of a logarithmic axis within the limits that errors are drawn in: ticks at powers of two."""
+    bits = BITS[precision]
+    step = 4 if bits <= 24 else 8
+    ticks = [LEAST] + [2.0 ** k for k in range(step, bits - step // 2, step)] + [2.0 ** bits]
+    axis.set_major_locator(ticker.FixedLocator(ticks))
+    axis.set_major_formatter(ticker.FuncFormatter(
+        lambda value, _: lowest if value == LEAST else power(value) + (" or more" if value == ticks[-1] else "")))
+    axis.set_minor_locator(ticker.NullLocator())
+
+
+def error_scale(axes, precision):
+    axes.set_yscale("log")
+    axes.set_ylim(LEAST / 1.6, 1.6 * 2.0 ** BITS[precision])
+    error_axis(axes.yaxis, precision, "½ –")
+    axes.grid(axis="y", color="#e4e8ea", linewidth=0.5)
+    axes.axhspan(LEAST / 1.6, LEAST * 1.25, color="#eef1f3", linewidth=0, zorder=0)
+
+
+def speed_scale(axes):
+    axes.set_xscale("log")
+    axes.xaxis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:,.10g}"))
+    axes.xaxis.set_minor_formatter(ticker.NullFormatter())
+
+
+def panels_of(count, columns, width, height, **shared):
+    columns = min(columns, count)
+    rows = math.ceil(count / columns)
+    figure, grid = pyplot.subplots(rows, columns, squeeze=False, figsize=(max(width * columns, 4), 0.3 + height * rows), **shared)
+    axes = list(grid.flat)
+    for unused in axes[count:]:
+        unused.set_visible(False)
+    return figure, axes[:count], grid
+
+
+def draw_front(axes, found):
+    """The points, and the steps of those that aren't beaten. Returns the latter."""
+    best = front(found)
+    axes.plot([p[1] for p in found], [p[2] for p in found], "o", color=FAINT, markeredgecolor=GREY, markeredgewidth=0.5,
+              markersize=4, zorder=2)
+    axes.step([p[1] for p in best], [p[2] for p in best], where="post", color=BLUE, linewidth=1, zorder=3)
+    axes.plot([p[1] for p in best], [p[2] for p in best], "D", color=BLUE, markersize=4.5, zorder=4)
+    return best
+
+
+def clip(found, precision):
+    return [(name, ns, within(error, precision)) for name, ns, error in found]
+
+
+def mark_exact(axes, bench, precision, size=7):
+    """What no error costs, where `exact` is no point of the panel."""
+    exact = speeds(bench).get("exact")
+    if exact and precision == "binary32":
+        axes.axvline(exact.ns, color=BLACK, linewidth=0.7, linestyle=(0, (4, 3)), zorder=1)
+        axes.text(exact.ns, 0.99, " exact", transform=axes.get_xaxis_transform(), fontsize=size, va="top")
+
+
+def pareto(bench):
+    """All families together, the precisions side by side."""
+    kinds = precisions(bench)
+    figure, axes, _ = panels_of(len(kinds), 2, 4.0, 3.9)
+    drawn = []
+    for panel, precision in zip(axes, kinds):
+        found = clip(points(bench, precision), precision)
+        best = draw_front(panel, found)
+        speed_scale(panel)
+        error_scale(panel, precision)
+        mark_exact(panel, bench, precision)
+        panel.set_xlim(min(p[1] for p in found) / 1.5, max(p[1] for p in found) * 2)
+        panel.set_title(f"{precision} tracers")
+        panel.set_xlabel("time a ray in ns, mixed hits and misses")
+        drawn.append((panel, best, found))
+    axes[0].set_ylabel("error in ulps of the largest coordinate:\np99, geometric mean over the families")
+    figure.tight_layout(w_pad=2)
+    figure.canvas.draw()
+    for panel, best, found in drawn:
+        rivals = {name for name, _, _ in best} | {n for n in ("exact",) if n in {p[0] for p in found}}
+        place_labels(panel, [(ns, error, short(name)) for name, ns, error in found if name in rivals],
+                     [(ns, error) for _, ns, error in found] + steps(best))
+    return figure
+
+
+def steps(best):
+    """Points along the step line, for labels to keep off."""
+    along = []
+    for (_, x0, y0), (_, x1, y1) in zip(best, best[1:]):
+        along += [(x0 * (x1 / x0) ** (i / 12), y0) for i in range(13)] + [(x1, y0 * (y1 / y0) ** (i / 12)) for i in range(13)]
+    return along
+
+
+def pareto_families(bench, precision):
+    """A panel for each family; who isn't beaten has a number, explained above."""
+    families = dials(bench)
+    fronts = {}
+    for dial in families:
+        found = clip(points(bench, precision, dial), precision)
+        fronts[dial] = (found, front(found))
+    numbered = distinct(p[0] for p in sorted((p for _, best in fronts.values() for p in best), key=lambda p: (p[1], p[0])))
+    figure, axes, grid = panels_of(len(families), 3, 2.5, 1.75, sharex=True, sharey=True)
+    drawn = []
+    for panel, dial in zip(axes, families):
+        found, best = fronts[dial]
+        draw_front(panel, found)
+        speed_scale(panel)
+        error_scale(panel, precision)
+        mark_exact(panel, bench, precision, 6)
+        panel.set_title(dial, fontsize=8, pad=3)
+        panel.tick_params(labelsize=7)
+        drawn.append((panel, best, found))
+    finish_grid(axes, grid, "time a ray in ns", "p99 error in ulps")
+    figure.tight_layout(h_pad=0.6, w_pad=0.6)
+    figure.canvas.draw()
+    for panel, best, found in drawn:
+        place_labels(panel, [(ns, error, str(1 + numbered.index(name))) for name, ns, error in best],
+                     [(ns, error) for _, ns, error in found] + steps(best))
+    nothing = [pyplot.Line2D([], [], linestyle="none") for _ in numbered]
+    key(figure, nothing, [f"{i} {short(name)}" for i, name in enumerate(numbered, 1)], handlelength=0)
+    return figure
+
+
+def key(figure, handles, labels, **more):
+    figure.legend(handles, labels, loc="lower center", bbox_to_anchor=(0.5, 1.0), frameon=False, fontsize=7.5,
+                  ncol=min(4, max(1, len(labels))), handletextpad=0.6, columnspacing=1.4, **more)
+
+
+def finish_grid(axes, grid, x_label, y_label):
+    """Labels where nothing stands below or to the left."""
+    columns = grid.shape[1]
+    for i, panel in enumerate(axes):
+        if i + columns >= len(axes):
+            panel.set_xlabel(x_label, fontsize=7.5)
+            panel.tick_params(axis="x", labelbottom=True)
+        if i % columns == 0:
+            panel.set_ylabel(y_label, fontsize=7.5)
+
+
+def over_difficulty(bench, precision, measure, y_label, bound=None):
+    families, names = dials(bench), chosen(bench, precision)
+    rows = own(bench.cells, precision)
+    figure, axes, grid = panels_of(len(families), 3, 2.5, 1.85, sharey=True)
+    for panel, dial in zip(axes, families):
+        for name in tracers(bench, precision):
+            line = sorted((r.setting, within(getattr(r, measure), precision)) for r in rows
+                          if r.tracer == name and r.dial == dial and r.cases > r.unspecified + r.faults)
+            if not line:
+                continue
+            if name in names:
+                color, marker, dashes = LINES[names.index(name)]
+                panel.plot(*zip(*line), dashes, color=color, marker=marker, markersize=2.8, linewidth=1, zorder=3)
+            else:
+                panel.plot(*zip(*line), color=FAINT, linewidth=0.6, zorder=1)
+        error_scale(panel, precision)
+        if bound is not None:
+            panel.axhline(bound, color=BLACK, linewidth=0.8, linestyle=(0, (6, 2)), zorder=2)
+        panel.set_title(dial, fontsize=8, pad=3)
+        panel.set_xlabel("\n".join(textwrap.wrap(bench.run.dials[dial], 44)), fontsize=6.5)
+        panel.tick_params(labelsize=7)
+    for panel in axes[::grid.shape[1]]:
+        panel.set_ylabel(y_label, fontsize=7.5)
+    handles = [pyplot.Line2D([], [], color=c, marker=m, linestyle=d, markersize=3.5, linewidth=1) for c, m, d in LINES]
+    handles = handles[:len(names)]
+    labels = [short(name) for name in names]
+    if len(tracers(bench, precision)) > len(names):
+        handles.append(pyplot.Line2D([], [], color=FAINT))
+        labels.append("all others")
+    if bound is not None:
+        handles.append(pyplot.Line2D([], [], color=BLACK, linewidth=0.8, linestyle=(0, (6, 2))))
+        labels.append(f"bound: {bound:g} unit roundoffs")
+    figure.tight_layout(h_pad=0.6, w_pad=0.6)
+    key(figure, handles, labels)
+    return figure
+
+
+def forward(bench, precision):
+    return over_difficulty(bench, precision, "forward_p99", "p99 error in ulps")
+
+
+def backward(bench, precision):
+    return over_difficulty(bench, precision, "backward_p99", "p99 backward error\nin unit roundoffs", bench.run.stable_bound)
+
+
+def condition(bench):
+    kinds = [p for p in precisions(bench) if own(bench.conditions, p)]
+    figure, axes, _ = panels_of(len(kinds), 2, 3.9, 3.6)
+    for panel, precision in zip(axes, kinds):
+        rows, names = own(bench.conditions, precision), chosen(bench, precision)
+        bits = BITS[precision]
+        for name in distinct(r.tracer for r in rows):
+            line = sorted((2.0 ** r.log2_condition, within(r.p99, precision)) for r in rows if r.tracer == name)
+            if name in names:
+                color, marker, dashes = LINES[names.index(name)]
+                panel.plot(*zip(*line), dashes, color=color, marker=marker, markersize=3, linewidth=1, zorder=3, label=short(name, 24))
+            else:
+                panel.plot(*zip(*line), color=FAINT, linewidth=0.6, zorder=1)
+        ends = [1.0, 2.0 ** bits]
+        panel.plot(ends, ends, color=BLACK, linewidth=0.8, linestyle=(0, (6, 2)), zorder=2)
+        panel.plot(ends, [bench.run.stable_bound * x for x in ends], color=BLACK, linewidth=0.8, linestyle=(0, (1, 2)), zorder=2)
+        panel.set_xscale("log")
+        panel.set_xlim(0.7, 1.6 * 2.0 ** bits)
+        error_axis(panel.xaxis, precision)
+        panel.xaxis.set_major_formatter(ticker.FuncFormatter(lambda value, _: power(value)))
+        error_scale(panel, precision)
+        panel.set_title(f"{precision} tracers")
+        panel.set_xlabel("condition number of t")
+        panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), frameon=False, fontsize=7, ncol=2)
+    axes[0].set_ylabel("p99 relative error of t, in unit roundoffs")
+    figure.tight_layout(w_pad=1.5)
+    return figure
+
+
+SHADES = colors.LinearSegmentedColormap.from_list("shades", ["#ffffff", "#9fc6e0", BLUE, "#00263d"])
+
+
+def heat_map(axes, cells, rows, columns):
+    """cells[i][j] is (shade from 0 to 1, text), or None: nothing to say, hatched."""
+    for i, line in enumerate(cells):
+        for j, cell in enumerate(line):
+            if cell is None:
+                axes.add_patch(pyplot.Rectangle((j - 0.5, i - 0.5), 1, 1, facecolor="white", hatch="//////", edgecolor=FAINT,
+                                                linewidth=0))
+                continue
+            shade, text = cell
+            axes.add_patch(pyplot.Rectangle((j - 0.5, i - 0.5), 1, 1, color=SHADES(shade), linewidth=0))
+            axes.text(j, i, text, ha="center", va="center", fontsize=6, color="white" if shade > 0.45 else BLACK)
+    axes.set_xlim(-0.5, len(columns) - 0.5)
+    axes.set_ylim(len(rows) - 0.5, -0.5)
+    axes.set_xticks(range(len(columns)), columns, rotation=40, ha="left", fontsize=7)
+    axes.set_yticks(range(len(rows)), [short(row) for row in rows], fontsize=7)
+    axes.tick_params(length=0, top=False, bottom=False, labeltop=True, labelbottom=False, pad=1)
+    for spine in axes.spines.values():
+        spine.set_visible(False)
+    for x in range(len(columns) + 1):
+        axes.axvline(x - 0.5, color=FAINT, linewidth=0.3)
+    for y in range(len(rows) + 1):
+        axes.axhline(y - 0.5, color=FAINT, linewidth=0.3)
+
+
+def verdicts(bench, precision):
+    """The setting at which each tracer leaves its bound: the earlier, the darker."""
+    rows, families = own(bench.verdicts, precision), dials(bench)
+    reach = {d: sorted({c.setting for c in own(bench.cells, precision) if c.dial == d}) for d in families}
+    found = {(r.tracer, r.dial): r for r in rows}
+    names = sorted(tracers(bench, precision), key=lambda n: (
+        -sum(found[n, d].stable for d in families if found[n, d].answers > 0), n))
+
+    def cell(row):
+        if row.answers == 0:
+            return None
+        if row.leaves_at is None:
+            return 0, "·"
+        first, last = reach[row.dial][0], reach[row.dial][-1]
+        return 1 - 0.8 * (row.leaves_at - first) / max(last - first, 1), f"{row.leaves_at:g}"
+
+    figure, axes = pyplot.subplots(figsize=(2.6 + 0.42 * len(families), 0.8 + 0.165 * len(names)))
+    heat_map(axes, [[cell(found[n, d]) for d in families] for n in names], names, families)
+    last = "last:  " if len(families) > 3 else ""
+    axes.text(-0.6, len(names) + 0.1, last, ha="right", fontsize=6.5)
+    for j, dial in enumerate(families):
+        axes.text(j, len(names) + 0.1, f"{reach[dial][-1]:g}", ha="center", fontsize=6.5)
+    return figure
+
+
+def percent(share):
+    if share == 0:
+        return "·"
+    return f"{100 * share:.2g}" if share >= 0.0001 else "<.01"
+
+
+def share_shade(share):
+    """Logarithmic: what happens once in ten thousand is seen."""
+    return 0 if share == 0 else min(1, max(0.08, 1 + math.log10(share) / 4))
+
+
+def share_cell(part, whole):
+    return None if whole == 0 else (share_shade(part / whole), percent(part / whole))
+
+
+def symmetries(bench):
+    kinds = precisions(bench)
+    columns = distinct(r.symmetry for r in bench.symmetries)
+    tallest = max(len(tracers(bench, p)) for p in kinds)
+    figure, axes = pyplot.subplots(1, len(kinds), squeeze=False, figsize=(4.0 * len(kinds), 0.9 + 0.165 * tallest))
+    for panel, precision in zip(axes[0], kinds):
+        found = {(r.tracer, r.symmetry): r for r in own(bench.symmetries, precision)}
+        names = sorted(tracers(bench, precision), key=lambda n: (
+            sum(found[n, c].changed for c in columns) / max(1, sum(found[n, c].asked for c in columns)), n))
+        heat_map(panel, [[share_cell(found[n, c].changed, found[n, c].asked) for c in columns] for n in names], names, columns)
+        panel.set_ylim(tallest - 0.5, -0.5)
+        panel.set_xlabel(f"{precision} tracers: answers that change, in %", fontsize=8)
+    figure.tight_layout(w_pad=2)
+    return figure
+
+
+def suffix(row):
+    return row.variant.removeprefix(row.tracer + "_")
+
+
+def builds(bench):
+    rows = own(bench.builds)
+    names, columns = distinct(r.tracer for r in rows), distinct(suffix(r) for r in rows)
+    found = {(r.tracer, suffix(r)): r for r in rows}
+    cells = [[share_cell(found[n, c].differ, found[n, c].asked) if (n, c) in found else (0, "") for c in columns] for n in names]
+    figure, axes = pyplot.subplots(figsize=(2.4 + 0.5 * len(columns), 0.9 + 0.2 * len(names)))
+    heat_map(axes, cells, names, columns)
+    axes.set_xlabel("answers that differ from the build on the left, in %", fontsize=8)
+    return figure
+
+
+def inputs(bench):
+    """Those of binary64, wrong on full mantissas and on binary32 numbers."""
+    shares = wrong_by_inputs(bench)
+    names = sorted(shares, key=lambda n: (shares[n]["binary64"], shares[n]["binary32"], n), reverse=True)
+    least = 1e-6
+    figure, axes = pyplot.subplots(figsize=(5.2, 0.9 + 0.16 * len(names)))
+    for y, name in enumerate(names):
+        values = {kind: max(share, least) for kind, share in shares[name].items()}
+        axes.plot([values["binary32"], values["binary64"]], [y, y], color=GREY, linewidth=1, zorder=1)
+        axes.plot(values["binary32"], y, "o", markerfacecolor="white", markeredgecolor=BLUE, markersize=5, zorder=2)
+        axes.plot(values["binary64"], y, "s", color=BLACK, markersize=3.5, zorder=3)
+    axes.set_xscale("log")
+    axes.set_xlim(least / 1.5, 1)
+    axes.set_xticks([least] + [10.0 ** k for k in range(-4, 1)], ["none", "0.01", "0.1", "1", "10", "100"])
+    axes.xaxis.set_minor_locator(ticker.NullLocator())
+    axes.axvspan(least / 1.5, least * 1.5, color="#eef1f3", linewidth=0, zorder=0)
+    axes.grid(axis="x", color="#e4e8ea", linewidth=0.5)
+    axes.set_yticks(range(len(names)), [short(n) for n in names], fontsize=7)
+    axes.set_ylim(-0.7, len(names) - 0.3)
+    axes.set_xlabel("wrong answers in %, all families")
+    key(figure, [pyplot.Line2D([], [], marker="o", markerfacecolor="white", markeredgecolor=BLUE, linestyle="none"),
+                 pyplot.Line2D([], [], marker="s", color=BLACK, linestyle="none", markersize=4)],
+        ["binary32 inputs", "binary64 inputs, full mantissas"])
+    figure.tight_layout()
+    return figure
+
+
+def wrong_by_inputs(bench):
+    """Of each tracer of binary64 that answers on both: the share of wrong answers by precision of the inputs."""
+    shares = {}
+    for name in tracers(bench, "binary64"):
+        counts = {kind: [0, 0] for kind in BITS}
+        for row in bench.verdicts:
+            if row.tracer == name:
+                counts[row.inputs][0] += row.wrong
+                counts[row.inputs][1] += row.answers
+        if all(whole for _, whole in counts.values()):
+            shares[name] = {kind: part / whole for kind, (part, whole) in counts.items()}
+    return shares
+
+
+WAY_MARKS = (("hits", "^", BLUE), ("misses", "v", BLUE), ("mixed", "o", BLACK), ("single", "s", ORANGE),
+             ("bags", "D", "#009e73"), ("memory", "x", "#cc79a7"))
+
+
+def speed(bench):
+    """Ratios to the reference, by way of shooting."""
+    kinds = precisions(bench)
+    tallest = max(len(tracers(bench, p)) for p in kinds)
+    figure, axes = pyplot.subplots(1, len(kinds), squeeze=False, sharex=True, figsize=(4.1 * len(kinds), 1 + 0.165 * tallest))
+    mixed = speeds(bench)
+    for panel, precision in zip(axes[0], kinds):
+        names = sorted(tracers(bench, precision), key=lambda n: (mixed[n].ratio, n))
+        for way, marker, color in WAY_MARKS:
+            rows = speeds(bench, way)
+            here = [(rows[n].ratio, y) for y, n in enumerate(names) if n in rows]
+            panel.plot(*zip(*here), marker, color=color, markersize=4, linestyle="none",
+                       markerfacecolor=color if way == "mixed" else "none", markeredgewidth=0.9, zorder=4 if way == "mixed" else 3)
+        panel.set_xscale("log")
+        panel.xaxis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:,.10g}"))
+        panel.axvline(1, color=BLACK, linewidth=0.7)
+        panel.set_yticks(range(len(names)), [short(n) + (" *" if mixed[n].clock == "wall" else "") for n in names], fontsize=7)
+        panel.set_ylim(tallest - 0.4, -0.6)
+        panel.grid(color="#e4e8ea", linewidth=0.5)
+        panel.set_title(f"{precision} tracers")
+        panel.set_xlabel("time over that of moller_trumbore_f64", fontsize=8)
+    handles = [pyplot.Line2D([], [], marker=m, color=c, linestyle="none", markersize=4.5,
+                             markerfacecolor=c if way == "mixed" else "none") for way, m, c in WAY_MARKS]
+    figure.tight_layout(w_pad=2)
+    figure.legend(handles, [way for way, _, _ in WAY_MARKS], loc="lower center", bbox_to_anchor=(0.5, 1.0), frameon=False,
+                  fontsize=8, ncol=6)
+    return figure

@@ -1,0 +1,300 @@
+"""What is seen in the figures of `plumbline bench tracers`, in sentences: each is computed, and is there only where the data say
+so. A function for each figure; names are put between backticks."""
+import math
+
+from figure import distinct
+from tracers_data import (BITS, LEAST, dials, front, interval, own, points, precisions, speeds, summary, tracers, within)
+from tracers_figures import chosen, clip, suffix, wrong_by_inputs
+
+# An absolute epsilon is told from underflow where no product of so many coordinates leaves the range of normal numbers.
+FACTORS = 4
+EXPONENTS = {"binary32": 126, "binary64": 1022}
+
+
+def number(value, digits=2):
+    """2, 0.31, 5,400, 1.7e+15"""
+    if math.isinf(value):
+        return "infinite"
+    if value == 0:
+        return "0"
+    rounded = float(f"{value:.{digits}g}")
+    if 1000 <= rounded < 1e6:
+        return f"{rounded:,.0f}"
+    return f"{rounded:.{digits}g}" if rounded < 100 or rounded >= 1e6 else f"{rounded:.0f}"
+
+
+def percent(share):
+    return f"{number(100 * share)} %"
+
+
+def count(amount, noun):
+    amount = int(amount)
+    return f"{amount:,} {noun}" + ("" if amount == 1 else "es" if noun.endswith("s") else "s")
+
+
+def families(amount):
+    return "1 family" if amount == 1 else f"{amount} families"
+
+
+def listed(items, most=6):
+    """a, b and c"""
+    items = list(items)
+    if len(items) > most:
+        items = items[:most - 1] + [f"{len(items) - most + 1} more"]
+    return items[0] if len(items) == 1 else ", ".join(items[:-1]) + " and " + items[-1]
+
+
+def named(names, most=6):
+    """As listed(), of tracers and families."""
+    names = list(names)
+    rest = len(names) - most + 1 if len(names) > most else 0
+    marked = [f"`{name}`" for name in (names[:most - 1] if rest else names)]
+    return listed(marked + ([f"{rest} more"] if rest else []), most + 1)
+
+
+def pareto(bench):
+    told = []
+    for precision in precisions(bench):
+        found = clip(points(bench, precision), precision)
+        best = front(found)
+        told.append(f"Of {count(len(found), precision + ' tracer')}, {len(best)} {'is' if len(best) == 1 else 'are'} beaten by "
+                    f"none: " + listed([f"`{n}` ({number(ns)} ns, {number(e)} ulps)" for n, ns, e in best], 9) + ".")
+    told += price_of_exact(bench)
+    return told
+
+
+def price_of_exact(bench):
+    """What zero costs."""
+    mixed = speeds(bench)
+    if "exact" not in mixed:
+        return []
+    exact, told = mixed["exact"], []
+    others = [row for row in own(bench.verdicts) if row.tracer != "exact"]
+    wrong = {n for n in distinct(r.tracer for r in others) if any(r.wrong for r in others if r.tracer == n)}
+    slower = [n for n in wrong if mixed[n].ns > exact.ns]
+    told.append(f"Zero costs {number(exact.ns)} ns a ray: `exact` takes {number(exact.ratio)} times as long as "
+                "`moller_trumbore_f64`.")
+    if slower:
+        told.append(f"{count(len(slower), 'tracer')} of {len(mixed) - 1} {'is' if len(slower) == 1 else 'are'} slower than "
+                    f"`exact` and wrong: {named(sorted(slower, key=lambda n: mixed[n].ns), 8)}.")
+    return told
+
+
+def pareto_families(bench, precision):
+    told, times = [], {}
+    for dial in dials(bench):
+        for name, _, _ in front(clip(points(bench, precision, dial), precision)):
+            times.setdefault(name, []).append(dial)
+    if times:
+        most = sorted(times, key=lambda n: (-len(times[n]), n))
+        told.append("Beaten by none: " + listed([f"`{n}` in {families(len(times[n]))}" for n in most], 7) + ".")
+    hard = [d for d in dials(bench) if (here := points(bench, precision, d)) and
+            all(e >= 2.0 ** (BITS[precision] // 2) for name, _, e in here if name != "exact")]
+    if hard:
+        told.append(f"No tracer keeps half of its digits on {named(hard)}" +
+                    (": but for `exact`." if "exact" in tracers(bench, precision) else "."))
+    return told
+
+
+def forward(bench, precision):
+    told = []
+    rows = [r for r in own(bench.verdicts, precision) if r.answers > 0]
+    for name in chosen(bench, precision)[:4]:
+        here = [r for r in rows if r.tracer == name]
+        if not here:
+            continue
+        worst = max(here, key=lambda r: r.forward_p99)
+        good = sum(r.forward_p99 <= 2 ** 4 for r in here)
+        told.append(f"`{name}` stays within 16 ulps in {good} of {families(len(here))}"
+                    + (f"; its worst is `{worst.dial}`, with {number(worst.forward_p99)} ulps." if worst.forward_p99 > 16 else "."))
+    told += growth(bench, precision)
+    told += closed_edges(bench, precision)
+    return told
+
+
+def growth(bench, precision):
+    """Errors that grow in step with the dial."""
+    rows = [r for r in own(bench.verdicts, precision) if r.tracer != "exact" and r.answers > 0 and r.forward_p99 > 2 ** 10]
+    told = []
+    for dial in dials(bench):
+        slopes = [r.slope for r in rows if r.dial == dial]
+        steps = bench.run.dials[dial].endswith("log2")
+        among = sum(r.answers > 0 for r in own(bench.verdicts, precision) if r.dial == dial and r.tracer != "exact")
+        if steps and among > 2 and len(slopes) > among / 2 and 0.5 < (middle := sorted(slopes)[len(slopes) // 2]) < 4:
+            told.append(f"`{dial}`: 2^{number(middle)} in the median of {count(len(slopes), 'tracer')}")
+    return [f"By so much the error grows with each doubling of the difficulty: {listed(told, 8)}."] if told else []
+
+
+def closed_edges(bench, precision):
+    """On the lattice every ray meets an edge or vertex exactly, so that whoever misses one isn't closed."""
+    rows = [c for c in own(bench.cells, precision) if c.dial == "lattice" and c.hits > 0]
+    told = []
+    for name in distinct(c.tracer for c in rows):
+        hits, missed = (sum(getattr(c, what) for c in rows if c.tracer == name) for what in ("hits", "false_misses"))
+        if missed and name in (f"woop_watertight_f{32 if precision == 'binary32' else 64}",):
+            low, high = interval(missed, hits)
+            told.append(f"`{name}` isn't closed on a single triangle: of {count(hits, 'ray')} that meet an edge or vertex of "
+                        f"`lattice` exactly it misses {percent(missed / hits)} ({percent(low)} to {percent(high)}). Watertight "
+                        "is a promise about two triangles that share the edge.")
+    closed = [n for n in distinct(c.tracer for c in rows) if n != "exact" and all(
+        c.false_misses == 0 and c.unspecified + c.faults == 0 for c in rows if c.tracer == n)]
+    if closed:
+        told.append(f"Besides, no ray of `lattice` is missed by {named(closed)}.")
+    return told
+
+
+def backward(bench, precision):
+    rows, names = [r for r in own(bench.verdicts, precision) if r.answers > 0], tracers(bench, precision)
+    bound, told = f"{bench.run.stable_bound:g}", []
+    always = [n for n in names if (here := [r for r in rows if r.tracer == n]) and all(r.stable for r in here)]
+    if always:
+        told.append(f"Backward stable on every family, with a 99th percentile within {bound} unit roundoffs at each setting: "
+                    f"{named(always, 10)}.")
+    elif names:
+        told.append(f"No {precision} tracer stays within {bound} unit roundoffs on every family.")
+    hard, easy = [], []
+    for dial in dials(bench):
+        here = [r for r in rows if r.dial == dial]
+        leaving = sum(not r.stable for r in here)
+        (hard if here and leaving > len(here) / 2 else easy).append((dial, leaving, len(here)))
+    if hard:
+        told.append("Most tracers are unstable on " + listed([f"`{d}` ({n} of {of})" for d, n, of in hard], 9) + ".")
+    calm = [d for d, n, of in easy if n == 0 and of]
+    if calm:
+        told.append(f"None is on {named(calm)}: what error there is, the problem makes.")
+    return told
+
+
+def condition(bench):
+    told = []
+    for precision in precisions(bench):
+        rows = own(bench.conditions, precision)
+        names = distinct(r.tracer for r in rows)
+
+        def excess(name):
+            """By how much the error is more than its condition explains, at most; of what isn't lost altogether."""
+            return max(within(r.p99, precision) / 2.0 ** r.log2_condition for r in rows if r.tracer == name)
+
+        if not names:
+            continue
+        kept = [n for n in names if excess(n) <= bench.run.stable_bound]
+        told.append(f"{precision}: the error of t of {len(kept)} among {count(len(names), 'tracer')} is everywhere within "
+                    f"{bench.run.stable_bound:g} times what the condition number explains" +
+                    (f" ({named(kept, 8)})." if kept else "."))
+        beyond = sorted((n for n in names if n not in kept), key=lambda n: (-excess(n), n))
+        if beyond:
+            told.append("Farthest from it: " + listed([f"`{n}` by {number(excess(n))}" for n in beyond[:4]]) + ".")
+    return told
+
+
+def verdicts(bench, precision):
+    rows = [r for r in own(bench.verdicts, precision) if r.answers > 0]
+    told = []
+    first = {d: min(c.setting for c in own(bench.cells, precision) if c.dial == d) for d in dials(bench)}
+    easy = [r for r in rows if r.leaves_at == first[r.dial]]
+    names = distinct(r.tracer for r in easy)
+    if names:
+        told.append(f"{len(names)} of {count(len(tracers(bench, precision)), 'tracer')} leave their bound already where a dial is "
+                    f"at its easiest: " + listed([f"`{n}` ({families(sum(r.tracer == n for r in easy))})" for n in
+                                                 sorted(names, key=lambda n: -sum(r.tracer == n for r in easy))], 7) + ".")
+    return told
+
+
+def absolute_epsilons(bench):
+    """Wrong on scaled points though nothing under- or overflows there, right on the same unscaled: a length is built in."""
+    found = {}
+    for row in own(bench.cells):
+        answers = row.cases - row.unspecified - row.faults
+        if row.dial in ("tiny", "huge") and answers and FACTORS * row.setting <= EXPONENTS[row.precision]:
+            found.setdefault((row.tracer, row.dial), {})[row.setting] = (row.false_misses + row.false_hits) / answers
+    told = []
+    for (tracer, dial), shares in found.items():
+        farthest = max(shares)
+        if 0 in shares and shares[0] < 0.01 and shares[farthest] > 0.1:
+            told.append((tracer, f"`{tracer}` at 2^{'-' if dial == 'tiny' else ''}{farthest:g} ({percent(shares[farthest])})"))
+    return told
+
+
+def symmetries(bench):
+    rows, told = own(bench.symmetries), []
+    names = distinct(r.tracer for r in rows)
+    for what in distinct(r.symmetry for r in rows):
+        here = [r for r in rows if r.symmetry == what and r.asked]
+        changed = sorted((r for r in here if r.changed), key=lambda r: (-r.changed / r.asked, r.tracer))
+        if changed:
+            told.append(f"`{what}`: {count(len(changed), 'tracer')} of {len(here)}, most often " +
+                        listed([f"`{r.tracer}` ({percent(r.changed / r.asked)})" for r in changed[:3]]))
+    if told:
+        told = ["Answers that change from hit to miss or back, though the right answer can't. " + "; ".join(told) + "."]
+    never = [n for n in names if all(r.changed == 0 for r in rows if r.tracer == n) and any(r.asked for r in rows if r.tracer == n)]
+    if never:
+        told.append(f"None changes with {named(never, 8)}.")
+    epsilons = absolute_epsilons(bench)
+    if epsilons:
+        told.append("An absolute epsilon dies under scaling: wrong on points scaled so far, where no product of "
+                    f"{FACTORS} coordinates under- or overflows, and right on the same cases unscaled, are "
+                    + listed([text for _, text in epsilons], 12) + ".")
+    return told
+
+
+def builds(bench):
+    rows, told = own(bench.builds), []
+    if not rows:
+        return ["No tracer here is another build of one that is here."]
+    for what in distinct(suffix(r) for r in rows):
+        here = [r for r in rows if suffix(r) == what and r.asked]
+        differ = sorted((r for r in here if r.differ), key=lambda r: (-r.differ / r.asked, r.tracer))
+        if differ:
+            worst = differ[0]
+            told.append(f"`{what}` changes answers of {len(differ)} of {len(here)}, at most {percent(worst.differ / worst.asked)} "
+                        f"of `{worst.tracer}`")
+    same = [w for w in distinct(suffix(r) for r in rows) if not any(r.differ for r in rows if suffix(r) == w)]
+    told = ["; ".join(told) + "."] if told else []
+    if same:
+        told.append(f"Without any effect: {named(same, 8)}.")
+    sets = [r for r in rows if r.tracer.startswith("embree_") and suffix(r) in ("sse2", "avx", "avx2", "avx512") and r.differ]
+    if sets:
+        told.append("Embree's answers depend on the instruction set it is run with: " + listed(
+            [f"`{r.tracer}` and `{suffix(r)}` differ in {percent(r.differ / r.asked)}" for r in sets]) + ".")
+    return told
+
+
+def inputs(bench):
+    shares = wrong_by_inputs(bench)
+    perfect = [n for n in shares if shares[n]["binary32"] == 0]
+    told = [f"On binary32 inputs {len(perfect)} of {count(len(shares), 'binary64 tracer')} are never wrong."] if shares else []
+    fail = sorted((n for n in shares if shares[n]["binary64"] >= 0.001 and shares[n]["binary64"] > 10 * shares[n]["binary32"]),
+                  key=lambda n: (-shares[n]["binary64"], n))
+    if fail:
+        told.append("Full mantissas tell more: at least ten times as often wrong on them are " + listed(
+            [f"`{n}` ({percent(shares[n]['binary64'])} against {percent(shares[n]['binary32'])})" for n in fail], 8) + ".")
+    return told
+
+
+def speed(bench):
+    mixed, told = speeds(bench), []
+    ranked = sorted(mixed.values(), key=lambda r: (r.ns, r.tracer))
+    told.append(f"Fastest on mixed rays is `{ranked[0].tracer}` with {number(ranked[0].ns)} ns a ray, slowest "
+                f"`{ranked[-1].tracer}` with {number(ranked[-1].ns)} ns.")
+    for way, words in (("single", "A call for each ray instead of one for all"), ("bags", "A triangle prepared for each ray")):
+        rows = speeds(bench, way)
+        ratios = sorted((rows[n].ns / mixed[n].ns, n) for n in mixed if n in rows and mixed[n].ns > 0)
+        if ratios:
+            told.append(f"{words} costs {number(ratios[len(ratios) // 2][0])} times as much in the median, and at most "
+                        f"{number(ratios[-1][0])} times (`{ratios[-1][1]}`).")
+    wall = [r.tracer for r in ranked if r.clock == "wall"]
+    if wall:
+        told.append(f"In a process of their own, by the clock on the wall (*): {named(wall)}.")
+    return told
+
+
+def table(bench):
+    told = []
+    for precision in precisions(bench):
+        rows = summary(bench, precision)
+        unbeaten = [r.tracer for r in rows if r.beaten_by == 0]
+        told.append(f"{precision}: nobody is both faster and more accurate than {named(unbeaten, 8)}.")
+        right = [r.tracer for r in rows if r.wrong == 0]
+        if right:
+            told.append(f"Never wrong: {named(right, 8)}.")
+    return told
