@@ -146,9 +146,9 @@ std::vector<int> settings(Dial dial, Precision precision) {
     case Dial::far: return single ? every(2, 0, 20) : every(4, 0, 40);
     case Dial::tiny: return single ? every(10, 0, 140) : every(100, 0, 1000);
     case Dial::huge: return single ? every(10, 0, 120) : every(100, 0, 900);
-    case Dial::near_start:
+    case Dial::near_start: return single ? every(2, 0, 26) : every(4, 0, 56);
     case Dial::near_edge:
-    case Dial::near_vertex: return single ? every(2, 0, 26) : every(4, 0, 56);
+    case Dial::near_vertex: return single ? every(2, 2, 26) : every(4, 4, 56);
     case Dial::lattice: return single ? every(2, 4, 22) : every(4, 4, 48);
     case Dial::direction_scale: return single ? every(6, 0, 60) : every(48, 0, 480);
     case Dial::mixed_exponents: return every(4, 0, 40);

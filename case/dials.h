@@ -20,14 +20,14 @@ enum class Dial : unsigned char {
   needle,           ///< one edge is 2^-k of the others
   cap,              ///< a vertex lies 2^-k beside the middle of the opposite edge
   grazing,          ///< the ray starts 2^-k above the plane, a length away
-  parallel,         ///< the ray starts a length above the plane and nears it by 2^-k of its way: none hits
+  parallel,         ///< the ray starts a length above the plane and nears it by 2^-k of its way: hardly any hits
   far,              ///< triangle and origin are 2^k away from 0
   tiny,             ///< points are scaled by 2^-k
   huge,             ///< points are scaled by 2^k
   near_start,       ///< the ray starts 2^-k before or behind the plane
   near_edge,        ///< the ray passes by an edge at 2^-k, on either side: half of them hit
   near_vertex,      ///< the same of a vertex
-  lattice,          ///< coordinates of k bits, exactly through an edge or vertex: all hit
+  lattice,          ///< coordinates of k bits, exactly through an edge or vertex: all hit but what is degenerate
   direction_scale,  ///< the direction has the length 2^k or 2^-k
   mixed_exponents,  ///< coordinates spread over k binades, aimed at a vertex
 };
