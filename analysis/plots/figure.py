@@ -54,8 +54,9 @@ def save(figure, directory, name):
     """Writes DIRECTORY/NAME.png and .svg."""
     try:
         pathlib.Path(directory).mkdir(parents=True, exist_ok=True)
+        box = figure.get_tightbbox(figure.canvas.get_renderer()).padded(pyplot.rcParams["savefig.pad_inches"])
         for suffix, metadata in (("png", {"Software": None}), ("svg", {"Date": None})):
-            figure.savefig(f"{directory}/{name}.{suffix}", metadata=metadata, bbox_inches="tight", facecolor="white")
+            figure.savefig(f"{directory}/{name}.{suffix}", metadata=metadata, bbox_inches=box, facecolor="white")
     except OSError as error:
         fail(f"{directory}: {error.strerror}")
     pyplot.close(figure)

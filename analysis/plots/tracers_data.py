@@ -7,12 +7,12 @@ from types import SimpleNamespace
 from figure import distinct, fail, read_csv
 
 COLUMNS = {
-    "cells": "tracer precision inputs dial setting cases hits false_misses false_hits unspecified faults forward_p99 "
-             "backward_p99",
+    "cells": "tracer precision inputs dial setting cases hits false_misses false_hits unspecified faults t_count "
+             "u_count forward_p99 backward_p99",
     "verdicts": "tracer precision inputs dial stable leaves_at slope wrong answers forward_p99 backward_p99 backward_worst",
     "symmetries": "tracer precision inputs symmetry asked changed",
     "builds": "tracer variant precision inputs asked differ",
-    "conditions": "tracer precision inputs log2_condition count p99",
+    "conditions": "tracer precision inputs log2_condition count median p99",
     "speed": "tracer way ns ratio clock",
     "tracers": "tracer precision",
 }
@@ -23,6 +23,7 @@ RUN = ("command", "version", "machine", "compiler", "seed", "cases", "stable_bou
 # Errors are drawn from half an ulp, which rounding costs anyone, to as many as make up the largest coordinate.
 BITS = {"binary32": 24, "binary64": 53}
 LEAST = 0.5
+TELLS = ("hit or miss", "t", "t, u, v")
 
 
 def read_table(directory, name):
@@ -55,9 +56,18 @@ def read_run(directory):
     return SimpleNamespace(**run)
 
 
+def tells_by_tracer(cells):
+    """Index in TELLS. Who tells less can be wrong in less."""
+    found = {}
+    for c in cells:
+        found[c.tracer] = max(found.get(c.tracer, 0), 2 if c.u_count else 1 if c.t_count else 0)
+    return found
+
+
 def read(directory):
-    """Each table of COLUMNS as a list of its rows, and run.json as `run`."""
+    """Each table of COLUMNS as a list of its rows, run.json as `run`, what each tracer tells as `tells`."""
     bench = SimpleNamespace(**{name: read_table(directory, name) for name in COLUMNS}, run=read_run(directory))
+    bench.tells = tells_by_tracer(bench.cells)
     timed = {row.tracer for row in bench.speed if row.way == "mixed"}
     for row in bench.verdicts:
         if row.tracer not in timed:
@@ -103,24 +113,25 @@ def overall_error(rows, precision):
 
 
 def points(bench, precision, dial=None):
-    """(tracer, ns a ray, error) of those that answer: in a family, or overall."""
+    """tracer, ns a ray, error as it is drawn and what it tells, of those that answer: in a family, or overall."""
     ns, found = speeds(bench), []
     rows = own(bench.verdicts, precision)
     for tracer in tracers(bench, precision):
         error = overall_error([r for r in rows if r.tracer == tracer and dial in (None, r.dial)], precision)
         if error is not None:
-            found.append((tracer, ns[tracer].ns, error))
+            found.append(SimpleNamespace(tracer=tracer, ns=ns[tracer].ns, error=error, tells=bench.tells.get(tracer, 0)))
     return found
 
 
-def front(found):
-    """Those of points() that no other is at least as good as in both, from the fastest to the most accurate."""
-    best, kept = math.inf, []
-    for point in sorted(found, key=lambda p: (p[1], p[2], p[0])):
-        if point[2] < best:
-            best = point[2]
-            kept.append(point)
-    return kept
+def beats(a, b):
+    """Of points: no slower, no less accurate, better in one of these, and it tells no less."""
+    return a.ns <= b.ns and a.error <= b.error and (a.ns < b.ns or a.error < b.error) and a.tells >= b.tells
+
+
+def unbeaten(found):
+    """Of points(), from the fastest to the slowest."""
+    kept = [p for p in found if not any(beats(other, p) for other in found)]
+    return sorted(kept, key=lambda p: (p.ns, p.error, p.tracer))
 
 
 def interval(part, whole):
@@ -134,16 +145,16 @@ def interval(part, whole):
 
 
 def summary(bench, precision):
-    """A row for each tracer, those first that the fewest others beat in both speed and error."""
+    """A row for each tracer, those first that the fewest others beat."""
     found, speed, table = points(bench, precision), speeds(bench), []
-    for tracer, ns, error in found:
-        rows = [r for r in own(bench.verdicts, precision) if r.tracer == tracer]
-        cells = [c for c in own(bench.cells, precision) if c.tracer == tracer]
+    for point in found:
+        rows = [r for r in own(bench.verdicts, precision) if r.tracer == point.tracer]
+        cells = [c for c in own(bench.cells, precision) if c.tracer == point.tracer]
         wrong, answers = sum(r.wrong for r in rows), sum(r.answers for r in rows)
         low, high = interval(wrong, answers)
         table.append(SimpleNamespace(
-            tracer=tracer, beaten_by=sum(n < ns and e < error for _, n, e in found), ns=ns, ratio=speed[tracer].ratio,
-            wrong=wrong / answers, low=low, high=high, error=error, worst=max(r.forward_p99 for r in rows if r.answers > 0),
+            **vars(point), beaten_by=sum(beats(other, point) for other in found), ratio=speed[point.tracer].ratio,
+            wrong=wrong / answers, low=low, high=high, worst=max(r.forward_p99 for r in rows if r.answers > 0),
             backward=max(r.backward_worst for r in rows), stable=sum(r.stable == 1 and r.answers > 0 for r in rows),
             families=sum(r.answers > 0 for r in rows),
             open=sum(c.unspecified + c.faults for c in cells) / sum(c.cases for c in cells)))

@@ -3,13 +3,18 @@ import math
 import textwrap
 
 from matplotlib import colors, ticker
+from matplotlib.collections import LineCollection
 
 from figure import BLACK, BLUE, LINES, ORANGE, distinct, pyplot
 from labels import place_labels
-from tracers_data import BITS, LEAST, dials, front, own, points, precisions, speeds, tracers, within
+from tracers_data import BITS, LEAST, TELLS, dials, own, points, precisions, speeds, tracers, unbeaten, within
 
-pyplot.rcParams["text.parse_math"] = False  # a tracer's name may hold anything
+pyplot.rcParams.update({
+    "text.parse_math": False,  # a tracer's name may hold anything
+    "axes.titley": 1.0,        # else every title is fitted to every tick, again and again
+})
 GREY, FAINT = "#9aa5ab", "#d4d9dc"
+LONG, DOTS = (0, (6, 2)), (0, (1, 2))  # of lines that mark a bound
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 # One of each kind of algorithm and library gets a line of its own in figures over difficulty; then who else is there.
@@ -31,21 +36,21 @@ def power(value):
     return "½" if value == LEAST else "2" + f"{round(math.log2(value))}".translate(SUPERSCRIPTS)
 
 
-def error_axis(axis, precision, lowest="½ or less"):
+def error_axis(axis, precision):
     """Of a logarithmic axis within the limits that errors are drawn in: ticks at powers of two."""
     bits = BITS[precision]
     step = 4 if bits <= 24 else 8
-    ticks = [LEAST] + [2.0 ** k for k in range(step, bits - step // 2, step)] + [2.0 ** bits]
+    ticks = [LEAST] + [2.0 ** k for k in range(step, bits - 3 * step // 4 + 1, step)] + [2.0 ** bits]
     axis.set_major_locator(ticker.FixedLocator(ticks))
     axis.set_major_formatter(ticker.FuncFormatter(
-        lambda value, _: lowest if value == LEAST else power(value) + (" or more" if value == ticks[-1] else "")))
+        lambda value, _: ("≤ " if value == LEAST else "≥ " if value == ticks[-1] else "") + power(value)))
     axis.set_minor_locator(ticker.NullLocator())
 
 
 def error_scale(axes, precision):
     axes.set_yscale("log")
     axes.set_ylim(LEAST / 1.6, 1.6 * 2.0 ** BITS[precision])
-    error_axis(axes.yaxis, precision, "½ –")
+    error_axis(axes.yaxis, precision)
     axes.grid(axis="y", color="#e4e8ea", linewidth=0.5)
     axes.axhspan(LEAST / 1.6, LEAST * 1.25, color="#eef1f3", linewidth=0, zorder=0)
 
@@ -66,18 +71,33 @@ def panels_of(count, columns, width, height, **shared):
     return figure, axes[:count], grid
 
 
-def draw_front(axes, found):
-    """The points, and the steps of those that aren't beaten. Returns the latter."""
-    best = front(found)
-    axes.plot([p[1] for p in found], [p[2] for p in found], "o", color=FAINT, markeredgecolor=GREY, markeredgewidth=0.5,
-              markersize=4, zorder=2)
-    axes.step([p[1] for p in best], [p[2] for p in best], where="post", color=BLUE, linewidth=1, zorder=3)
-    axes.plot([p[1] for p in best], [p[2] for p in best], "D", color=BLUE, markersize=4.5, zorder=4)
-    return best
+POINTS = ("s", "^", "o")  # by what a tracer tells
 
 
-def clip(found, precision):
-    return [(name, ns, within(error, precision)) for name, ns, error in found]
+def draw_points(axes, found):
+    """The points, and the steps of those that tell most and aren't beaten. Returns who isn't beaten, and what labels have to
+    keep off."""
+    best = unbeaten(found)
+    edge = [(p.ns, p.error) for p in best if p.tells == 2]
+    for mark, marker in enumerate(POINTS):
+        for here, style in ([p for p in found if p not in best], dict(color=FAINT, markeredgecolor=GREY)), (best, dict(color=BLUE)):
+            axes.plot([p.ns for p in here if p.tells == mark], [p.error for p in here if p.tells == mark], marker,
+                      markersize=4 if here is not best else 5, markeredgewidth=0.5, zorder=3 if here is best else 2,
+                      linestyle="none", **style)
+    axes.step([x for x, _ in edge], [y for _, y in edge], where="post", color=BLUE, linewidth=1, zorder=2.5)
+    obstacles = [(p.ns, p.error) for p in found]
+    for (x0, y0), (x1, y1) in zip(edge, edge[1:]):
+        obstacles += [(x0 * (x1 / x0) ** (i / 12), y0) for i in range(13)]
+        obstacles += [(x1, y0 * (y1 / y0) ** (i / 12)) for i in range(13)]
+    return best, obstacles
+
+
+def point_key(found):
+    """Handles and labels of the kinds of points there are."""
+    there = [i for i in (2, 1, 0) if any(p.tells == i for p in found)]
+    handles = [pyplot.Line2D([], [], marker=POINTS[i], color=BLUE, linestyle="none", markersize=5) for i in there]
+    return (handles + [pyplot.Line2D([], [], marker="o", color=FAINT, markeredgecolor=GREY, linestyle="none", markersize=4)],
+            [f"tells {TELLS[i]}" for i in there] + ["beaten by one that tells as much"])
 
 
 def mark_exact(axes, bench, precision, size=7):
@@ -91,61 +111,46 @@ def mark_exact(axes, bench, precision, size=7):
 def pareto(bench):
     """All families together, the precisions side by side."""
     kinds = precisions(bench)
-    figure, axes, _ = panels_of(len(kinds), 2, 4.0, 3.9)
+    figure, axes, _ = panels_of(len(kinds), 2, 4.0, 4.0)
     drawn = []
     for panel, precision in zip(axes, kinds):
-        found = clip(points(bench, precision), precision)
-        best = draw_front(panel, found)
+        found = points(bench, precision)
+        best, obstacles = draw_points(panel, found)
         speed_scale(panel)
         error_scale(panel, precision)
         mark_exact(panel, bench, precision)
-        panel.set_xlim(min(p[1] for p in found) / 1.5, max(p[1] for p in found) * 2)
+        panel.set_xlim(min(p.ns for p in found) / 1.5, max(p.ns for p in found) * 2)
         panel.set_title(f"{precision} tracers")
         panel.set_xlabel("time a ray in ns, mixed hits and misses")
-        drawn.append((panel, best, found))
+        drawn.append((panel, best, obstacles))
     axes[0].set_ylabel("error in ulps of the largest coordinate:\np99, geometric mean over the families")
     figure.tight_layout(w_pad=2)
+    key(figure, *point_key([p for precision in kinds for p in points(bench, precision)]))
     figure.canvas.draw()
-    for panel, best, found in drawn:
-        rivals = {name for name, _, _ in best} | {n for n in ("exact",) if n in {p[0] for p in found}}
-        place_labels(panel, [(ns, error, short(name)) for name, ns, error in found if name in rivals],
-                     [(ns, error) for _, ns, error in found] + steps(best))
+    for panel, best, obstacles in drawn:
+        place_labels(panel, [(p.ns, p.error, short(p.tracer)) for p in best], obstacles)
     return figure
-
-
-def steps(best):
-    """Points along the step line, for labels to keep off."""
-    along = []
-    for (_, x0, y0), (_, x1, y1) in zip(best, best[1:]):
-        along += [(x0 * (x1 / x0) ** (i / 12), y0) for i in range(13)] + [(x1, y0 * (y1 / y0) ** (i / 12)) for i in range(13)]
-    return along
 
 
 def pareto_families(bench, precision):
     """A panel for each family; who isn't beaten has a number, explained above."""
     families = dials(bench)
-    fronts = {}
-    for dial in families:
-        found = clip(points(bench, precision, dial), precision)
-        fronts[dial] = (found, front(found))
-    numbered = distinct(p[0] for p in sorted((p for _, best in fronts.values() for p in best), key=lambda p: (p[1], p[0])))
+    found = {dial: points(bench, precision, dial) for dial in families}
+    numbered = distinct(p.tracer for p in sorted((p for dial in families for p in unbeaten(found[dial])), key=lambda p: (p.ns, p.tracer)))
     figure, axes, grid = panels_of(len(families), 3, 2.5, 1.75, sharex=True, sharey=True)
     drawn = []
     for panel, dial in zip(axes, families):
-        found, best = fronts[dial]
-        draw_front(panel, found)
+        drawn.append((panel, *draw_points(panel, found[dial])))
         speed_scale(panel)
         error_scale(panel, precision)
         mark_exact(panel, bench, precision, 6)
         panel.set_title(dial, fontsize=8, pad=3)
         panel.tick_params(labelsize=7)
-        drawn.append((panel, best, found))
     finish_grid(axes, grid, "time a ray in ns", "p99 error in ulps")
     figure.tight_layout(h_pad=0.6, w_pad=0.6)
     figure.canvas.draw()
-    for panel, best, found in drawn:
-        place_labels(panel, [(ns, error, str(1 + numbered.index(name))) for name, ns, error in best],
-                     [(ns, error) for _, ns, error in found] + steps(best))
+    for panel, best, obstacles in drawn:
+        place_labels(panel, [(p.ns, p.error, str(1 + numbered.index(p.tracer))) for p in best], obstacles)
     nothing = [pyplot.Line2D([], [], linestyle="none") for _ in numbered]
     key(figure, nothing, [f"{i} {short(name)}" for i, name in enumerate(numbered, 1)], handlelength=0)
     return figure
@@ -167,40 +172,44 @@ def finish_grid(axes, grid, x_label, y_label):
             panel.set_ylabel(y_label, fontsize=7.5)
 
 
+def draw_lines(axes, lines, names):
+    """Those of `names` each in a style of its own, all others faint."""
+    axes.add_collection(LineCollection([sorted(line) for name, line in lines.items() if name not in names], color=FAINT,
+                                       linewidth=0.6, zorder=1), autolim=True)
+    axes.autoscale_view()
+    for name, (color, marker, dashes) in zip(names, LINES):
+        if name in lines:
+            axes.plot(*zip(*sorted(lines[name])), dashes, color=color, marker=marker, markersize=2.8, linewidth=1, zorder=3)
+
+
+def line_key(names, others, *more):
+    """Handles and labels of what draw_lines() drew, and of more: (style, label)."""
+    styles = [(dict(color=c, marker=m, linestyle=d, markersize=3.5, linewidth=1), short(name)) for name, (c, m, d) in zip(names, LINES)]
+    styles += ([(dict(color=FAINT), "all others")] if others else []) + list(more)
+    return [pyplot.Line2D([], [], **style) for style, _ in styles], [label for _, label in styles]
+
+
 def over_difficulty(bench, precision, measure, y_label, bound=None):
     families, names = dials(bench), chosen(bench, precision)
     rows = own(bench.cells, precision)
     figure, axes, grid = panels_of(len(families), 3, 2.5, 1.85, sharey=True)
     for panel, dial in zip(axes, families):
-        for name in tracers(bench, precision):
-            line = sorted((r.setting, within(getattr(r, measure), precision)) for r in rows
-                          if r.tracer == name and r.dial == dial and r.cases > r.unspecified + r.faults)
-            if not line:
-                continue
-            if name in names:
-                color, marker, dashes = LINES[names.index(name)]
-                panel.plot(*zip(*line), dashes, color=color, marker=marker, markersize=2.8, linewidth=1, zorder=3)
-            else:
-                panel.plot(*zip(*line), color=FAINT, linewidth=0.6, zorder=1)
+        lines = {}
+        for r in rows:
+            if r.dial == dial and r.cases > r.unspecified + r.faults:
+                lines.setdefault(r.tracer, []).append((r.setting, within(getattr(r, measure), precision)))
+        draw_lines(panel, lines, names)
         error_scale(panel, precision)
         if bound is not None:
-            panel.axhline(bound, color=BLACK, linewidth=0.8, linestyle=(0, (6, 2)), zorder=2)
+            panel.axhline(bound, color=BLACK, linewidth=0.8, linestyle=LONG, zorder=2)
         panel.set_title(dial, fontsize=8, pad=3)
         panel.set_xlabel("\n".join(textwrap.wrap(bench.run.dials[dial], 44)), fontsize=6.5)
         panel.tick_params(labelsize=7)
     for panel in axes[::grid.shape[1]]:
         panel.set_ylabel(y_label, fontsize=7.5)
-    handles = [pyplot.Line2D([], [], color=c, marker=m, linestyle=d, markersize=3.5, linewidth=1) for c, m, d in LINES]
-    handles = handles[:len(names)]
-    labels = [short(name) for name in names]
-    if len(tracers(bench, precision)) > len(names):
-        handles.append(pyplot.Line2D([], [], color=FAINT))
-        labels.append("all others")
-    if bound is not None:
-        handles.append(pyplot.Line2D([], [], color=BLACK, linewidth=0.8, linestyle=(0, (6, 2))))
-        labels.append(f"bound: {bound:g} unit roundoffs")
     figure.tight_layout(h_pad=0.6, w_pad=0.6)
-    key(figure, handles, labels)
+    more = [] if bound is None else [(dict(color=BLACK, linewidth=0.8, linestyle=LONG), f"bound: {bound:g} unit roundoffs")]
+    key(figure, *line_key(names, len(tracers(bench, precision)) > len(names), *more))
     return figure
 
 
@@ -212,31 +221,34 @@ def backward(bench, precision):
     return over_difficulty(bench, precision, "backward_p99", "p99 backward error\nin unit roundoffs", bench.run.stable_bound)
 
 
+FEWEST = 10  # hits, of which a median is drawn
+
+
+def conditions_of(bench, precision):
+    """Those bins that hold enough."""
+    return [r for r in own(bench.conditions, precision) if r.count >= FEWEST]
+
+
 def condition(bench):
-    kinds = [p for p in precisions(bench) if own(bench.conditions, p)]
-    figure, axes, _ = panels_of(len(kinds), 2, 3.9, 3.6)
+    kinds = [p for p in precisions(bench) if conditions_of(bench, p)]
+    figure, axes, _ = panels_of(len(kinds), 2, 4.0, 3.8)
     for panel, precision in zip(axes, kinds):
-        rows, names = own(bench.conditions, precision), chosen(bench, precision)
-        bits = BITS[precision]
-        for name in distinct(r.tracer for r in rows):
-            line = sorted((2.0 ** r.log2_condition, within(r.p99, precision)) for r in rows if r.tracer == name)
-            if name in names:
-                color, marker, dashes = LINES[names.index(name)]
-                panel.plot(*zip(*line), dashes, color=color, marker=marker, markersize=3, linewidth=1, zorder=3, label=short(name, 24))
-            else:
-                panel.plot(*zip(*line), color=FAINT, linewidth=0.6, zorder=1)
-        ends = [1.0, 2.0 ** bits]
-        panel.plot(ends, ends, color=BLACK, linewidth=0.8, linestyle=(0, (6, 2)), zorder=2)
-        panel.plot(ends, [bench.run.stable_bound * x for x in ends], color=BLACK, linewidth=0.8, linestyle=(0, (1, 2)), zorder=2)
+        ends, lines, names = [1.0, 2.0 ** BITS[precision]], {}, chosen(bench, precision)
+        for r in conditions_of(bench, precision):
+            lines.setdefault(r.tracer, []).append((2.0 ** r.log2_condition, within(r.median, precision)))
+        names = [name for name in names if name in lines]
         panel.set_xscale("log")
-        panel.set_xlim(0.7, 1.6 * 2.0 ** bits)
+        draw_lines(panel, lines, names)
+        panel.plot(ends, ends, color=BLACK, linewidth=0.8, linestyle=LONG, zorder=2)
+        panel.plot(ends, [bench.run.stable_bound * x for x in ends], color=BLACK, linewidth=0.8, linestyle=DOTS, zorder=2)
+        panel.set_xlim(0.7, 1.6 * ends[1])
         error_axis(panel.xaxis, precision)
-        panel.xaxis.set_major_formatter(ticker.FuncFormatter(lambda value, _: power(value)))
         error_scale(panel, precision)
         panel.set_title(f"{precision} tracers")
         panel.set_xlabel("condition number of t")
-        panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), frameon=False, fontsize=7, ncol=2)
-    axes[0].set_ylabel("p99 relative error of t, in unit roundoffs")
+        panel.legend(*line_key(names, len(lines) > len(names)), loc="upper center", bbox_to_anchor=(0.5, -0.17), frameon=False,
+                     fontsize=7, ncol=2)
+    axes[0].set_ylabel("median relative error of t,\nin unit roundoffs")
     figure.tight_layout(w_pad=1.5)
     return figure
 
@@ -250,11 +262,12 @@ def heat_map(axes, cells, rows, columns):
         for j, cell in enumerate(line):
             if cell is None:
                 axes.add_patch(pyplot.Rectangle((j - 0.5, i - 0.5), 1, 1, facecolor="white", hatch="//////", edgecolor=FAINT,
-                                                linewidth=0))
+                                                linewidth=0, in_layout=False))
                 continue
             shade, text = cell
-            axes.add_patch(pyplot.Rectangle((j - 0.5, i - 0.5), 1, 1, color=SHADES(shade), linewidth=0))
-            axes.text(j, i, text, ha="center", va="center", fontsize=6, color="white" if shade > 0.45 else BLACK)
+            axes.add_patch(pyplot.Rectangle((j - 0.5, i - 0.5), 1, 1, color=SHADES(shade), linewidth=0, in_layout=False))
+            axes.text(j, i, text, ha="center", va="center", fontsize=6, color="white" if shade > 0.45 else BLACK,
+                      in_layout=False)
     axes.set_xlim(-0.5, len(columns) - 0.5)
     axes.set_ylim(len(rows) - 0.5, -0.5)
     axes.set_xticks(range(len(columns)), columns, rotation=40, ha="left", fontsize=7)
@@ -262,10 +275,9 @@ def heat_map(axes, cells, rows, columns):
     axes.tick_params(length=0, top=False, bottom=False, labeltop=True, labelbottom=False, pad=1)
     for spine in axes.spines.values():
         spine.set_visible(False)
-    for x in range(len(columns) + 1):
-        axes.axvline(x - 0.5, color=FAINT, linewidth=0.3)
-    for y in range(len(rows) + 1):
-        axes.axhline(y - 0.5, color=FAINT, linewidth=0.3)
+    ends_x, ends_y = (-0.5, len(columns) - 0.5), (-0.5, len(rows) - 0.5)
+    axes.vlines([x - 0.5 for x in range(len(columns) + 1)], *ends_y, color=FAINT, linewidth=0.3)
+    axes.hlines([y - 0.5 for y in range(len(rows) + 1)], *ends_x, color=FAINT, linewidth=0.3)
 
 
 def verdicts(bench, precision):
@@ -319,7 +331,7 @@ def symmetries(bench):
             sum(found[n, c].changed for c in columns) / max(1, sum(found[n, c].asked for c in columns)), n))
         heat_map(panel, [[share_cell(found[n, c].changed, found[n, c].asked) for c in columns] for n in names], names, columns)
         panel.set_ylim(tallest - 0.5, -0.5)
-        panel.set_xlabel(f"{precision} tracers: answers that change, in %", fontsize=8)
+        panel.set_title(f"{precision} tracers: answers that change, in %", fontsize=8)
     figure.tight_layout(w_pad=2)
     return figure
 
@@ -358,12 +370,15 @@ def inputs(bench):
     axes.grid(axis="x", color="#e4e8ea", linewidth=0.5)
     axes.set_yticks(range(len(names)), [short(n) for n in names], fontsize=7)
     axes.set_ylim(-0.7, len(names) - 0.3)
-    axes.set_xlabel("wrong answers in %, all families")
+    axes.set_xlabel("wrong answers in %")
     key(figure, [pyplot.Line2D([], [], marker="o", markerfacecolor="white", markeredgecolor=BLUE, linestyle="none"),
                  pyplot.Line2D([], [], marker="s", color=BLACK, linestyle="none", markersize=4)],
         ["binary32 inputs", "binary64 inputs, full mantissas"])
     figure.tight_layout()
     return figure
+
+
+AS_FAR_AS_EXPONENTS = ("tiny", "huge", "direction_scale")  # dials that go on where binary32 ends
 
 
 def wrong_by_inputs(bench):
@@ -372,7 +387,7 @@ def wrong_by_inputs(bench):
     for name in tracers(bench, "binary64"):
         counts = {kind: [0, 0] for kind in BITS}
         for row in bench.verdicts:
-            if row.tracer == name:
+            if row.tracer == name and row.dial not in AS_FAR_AS_EXPONENTS:
                 counts[row.inputs][0] += row.wrong
                 counts[row.inputs][1] += row.answers
         if all(whole for _, whole in counts.values()):

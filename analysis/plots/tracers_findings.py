@@ -3,8 +3,8 @@ so. A function for each figure; names are put between backticks."""
 import math
 
 from figure import distinct
-from tracers_data import (BITS, LEAST, dials, front, interval, own, points, precisions, speeds, summary, tracers, within)
-from tracers_figures import chosen, clip, suffix, wrong_by_inputs
+from tracers_data import (BITS, LEAST, TELLS, dials, interval, own, points, precisions, speeds, summary, tracers, unbeaten, within)
+from tracers_figures import chosen, conditions_of, suffix, wrong_by_inputs
 
 # An absolute epsilon is told from underflow where no product of so many coordinates leaves the range of normal numbers.
 FACTORS = 4
@@ -21,6 +21,10 @@ def number(value, digits=2):
     if 1000 <= rounded < 1e6:
         return f"{rounded:,.0f}"
     return f"{rounded:.{digits}g}" if rounded < 100 or rounded >= 1e6 else f"{rounded:.0f}"
+
+
+def ulps(error):
+    return "at most ½ ulp" if error <= LEAST else f"{number(error)} ulps"
 
 
 def percent(share):
@@ -55,10 +59,15 @@ def named(names, most=6):
 def pareto(bench):
     told = []
     for precision in precisions(bench):
-        found = clip(points(bench, precision), precision)
-        best = front(found)
+        found = points(bench, precision)
+        best = unbeaten(found)
         told.append(f"Of {count(len(found), precision + ' tracer')}, {len(best)} {'is' if len(best) == 1 else 'are'} beaten by "
-                    f"none: " + listed([f"`{n}` ({number(ns)} ns, {number(e)} ulps)" for n, ns, e in best], 9) + ".")
+                    f"none that tells as much: " + listed(
+                        [f"`{p.tracer}` ({number(p.ns)} ns, {ulps(p.error)})" for p in best], 9) + ".")
+        for level in (0, 1):
+            less = [p.tracer for p in found if p.tells == level]
+            if less:
+                told.append(f"Only {TELLS[level]} is told by {named(less, 9)}, and there is nothing else to be wrong in.")
     told += price_of_exact(bench)
     return told
 
@@ -83,16 +92,17 @@ def price_of_exact(bench):
 def pareto_families(bench, precision):
     told, times = [], {}
     for dial in dials(bench):
-        for name, _, _ in front(clip(points(bench, precision, dial), precision)):
-            times.setdefault(name, []).append(dial)
+        for point in unbeaten(points(bench, precision, dial)):
+            times.setdefault(point.tracer, []).append(dial)
     if times:
         most = sorted(times, key=lambda n: (-len(times[n]), n))
         told.append("Beaten by none: " + listed([f"`{n}` in {families(len(times[n]))}" for n in most], 7) + ".")
-    hard = [d for d in dials(bench) if (here := points(bench, precision, d)) and
-            all(e >= 2.0 ** (BITS[precision] // 2) for name, _, e in here if name != "exact")]
+    hard = [d for d in dials(bench) if (here := [p for p in points(bench, precision, d) if p.tracer != "exact"])
+            and all(p.error >= 2.0 ** (BITS[precision] // 2) for p in here if p.tells == 2)
+            and any(p.tells == 2 for p in here)]
     if hard:
-        told.append(f"No tracer keeps half of its digits on {named(hard)}" +
-                    (": but for `exact`." if "exact" in tracers(bench, precision) else "."))
+        told.append(f"No tracer that tells t, u and v keeps half of its digits on {named(hard)}" +
+                    (", but for `exact`." if "exact" in tracers(bench, precision) else "."))
     return told
 
 
@@ -106,7 +116,9 @@ def forward(bench, precision):
         worst = max(here, key=lambda r: r.forward_p99)
         good = sum(r.forward_p99 <= 2 ** 4 for r in here)
         told.append(f"`{name}` stays within 16 ulps in {good} of {families(len(here))}"
-                    + (f"; its worst is `{worst.dial}`, with {number(worst.forward_p99)} ulps." if worst.forward_p99 > 16 else "."))
+                    + (f"; its worst is `{worst.dial}`, " + ("where its numbers aren't finite." if math.isinf(worst.forward_p99)
+                                                             else f"with {number(worst.forward_p99)} ulps.")
+                       if worst.forward_p99 > 16 else "."))
     told += growth(bench, precision)
     told += closed_edges(bench, precision)
     return told
@@ -166,24 +178,25 @@ def backward(bench, precision):
 
 
 def condition(bench):
-    told = []
+    told, bound = [], bench.run.stable_bound
     for precision in precisions(bench):
-        rows = own(bench.conditions, precision)
+        rows = conditions_of(bench, precision)
         names = distinct(r.tracer for r in rows)
-
-        def excess(name):
-            """By how much the error is more than its condition explains, at most; of what isn't lost altogether."""
-            return max(within(r.p99, precision) / 2.0 ** r.log2_condition for r in rows if r.tracer == name)
-
         if not names:
             continue
-        kept = [n for n in names if excess(n) <= bench.run.stable_bound]
-        told.append(f"{precision}: the error of t of {len(kept)} among {count(len(names), 'tracer')} is everywhere within "
-                    f"{bench.run.stable_bound:g} times what the condition number explains" +
-                    (f" ({named(kept, 8)})." if kept else "."))
-        beyond = sorted((n for n in names if n not in kept), key=lambda n: (-excess(n), n))
+
+        def excess(name, share):
+            """By how much the error is more than its condition explains, at most."""
+            return max(within(getattr(r, share), precision) / 2.0 ** r.log2_condition for r in rows if r.tracer == name)
+
+        half, nearly_all = ([n for n in names if excess(n, share) <= bound] for share in ("median", "p99"))
+        told.append(f"{precision}: in half of the hits t is within {bound:g} times what the condition number explains at every "
+                    f"condition number with {len(half)} of {count(len(names), 'tracer')} that tell t; in 99 of 100 hits with "
+                    + (f"{len(nearly_all)} ({named(nearly_all)})." if nearly_all else "none."))
+        beyond = sorted((n for n in names if n not in half), key=lambda n: (-excess(n, "median"), n))
         if beyond:
-            told.append("Farthest from it: " + listed([f"`{n}` by {number(excess(n))}" for n in beyond[:4]]) + ".")
+            told.append("Farthest from it in the median: " + listed(
+                [f"`{n}` by {number(excess(n, 'median'))}" for n in beyond[:4]]) + ".")
     return told
 
 
@@ -201,18 +214,18 @@ def verdicts(bench, precision):
 
 
 def absolute_epsilons(bench):
-    """Wrong on scaled points though nothing under- or overflows there, right on the same unscaled: a length is built in."""
-    found = {}
+    """Where scaled points are missed though no product under- or overflows there, and unscaled they are hit: a length is
+    built in."""
+    missed = {}
     for row in own(bench.cells):
-        answers = row.cases - row.unspecified - row.faults
-        if row.dial in ("tiny", "huge") and answers and FACTORS * row.setting <= EXPONENTS[row.precision]:
-            found.setdefault((row.tracer, row.dial), {})[row.setting] = (row.false_misses + row.false_hits) / answers
-    told = []
-    for (tracer, dial), shares in found.items():
-        farthest = max(shares)
-        if 0 in shares and shares[0] < 0.01 and shares[farthest] > 0.1:
-            told.append((tracer, f"`{tracer}` at 2^{'-' if dial == 'tiny' else ''}{farthest:g} ({percent(shares[farthest])})"))
-    return told
+        if row.dial in ("tiny", "huge") and row.hits and FACTORS * row.setting <= EXPONENTS[row.precision]:
+            missed.setdefault((row.tracer, row.dial), {})[row.setting] = row.false_misses / row.hits
+    found = []
+    for (tracer, dial), shares in missed.items():
+        worst = min((setting for setting in shares if shares[setting] > 0.9), default=None)
+        if worst and shares.get(0, 1) < 0.05:
+            found.append(f"`{tracer}` at 2^{'-' if dial == 'tiny' else ''}{worst:g}")
+    return found
 
 
 def symmetries(bench):
@@ -231,9 +244,9 @@ def symmetries(bench):
         told.append(f"None changes with {named(never, 8)}.")
     epsilons = absolute_epsilons(bench)
     if epsilons:
-        told.append("An absolute epsilon dies under scaling: wrong on points scaled so far, where no product of "
-                    f"{FACTORS} coordinates under- or overflows, and right on the same cases unscaled, are "
-                    + listed([text for _, text in epsilons], 12) + ".")
+        told.append("Absolute epsilons die under scaling: at scales where no product of "
+                    f"{FACTORS} coordinates under- or overflows, more than nine of ten hits are missed, and unscaled less than one in "
+                    f"twenty, by {listed(epsilons, 20)}.")
     return told
 
 
@@ -260,13 +273,16 @@ def builds(bench):
 
 
 def inputs(bench):
-    shares = wrong_by_inputs(bench)
-    perfect = [n for n in shares if shares[n]["binary32"] == 0]
-    told = [f"On binary32 inputs {len(perfect)} of {count(len(shares), 'binary64 tracer')} are never wrong."] if shares else []
-    fail = sorted((n for n in shares if shares[n]["binary64"] >= 0.001 and shares[n]["binary64"] > 10 * shares[n]["binary32"]),
+    shares, told = wrong_by_inputs(bench), []
+    good = [n for n in shares if shares[n]["binary32"] < 0.01]
+    perfect = sum(shares[n]["binary32"] == 0 for n in shares)
+    if good:
+        told.append(f"On binary32 inputs {len(good)} of {count(len(shares), 'binary64 tracer')} are wrong in less than 1 % of the "
+                    f"answers, {perfect} of them never.")
+    fail = sorted((n for n in shares if shares[n]["binary64"] >= 0.001 and shares[n]["binary64"] > 5 * shares[n]["binary32"]),
                   key=lambda n: (-shares[n]["binary64"], n))
     if fail:
-        told.append("Full mantissas tell more: at least ten times as often wrong on them are " + listed(
+        told.append("Full mantissas tell more: at least five times as often wrong on them are " + listed(
             [f"`{n}` ({percent(shares[n]['binary64'])} against {percent(shares[n]['binary32'])})" for n in fail], 8) + ".")
     return told
 

@@ -7,7 +7,7 @@ import re
 
 import tracers_findings as findings
 from figure import fail
-from tracers_data import dials, precisions, summary, tracers
+from tracers_data import TELLS, dials, precisions, summary, tracers
 
 STYLE = """
 :root { color-scheme: light; }
@@ -68,7 +68,7 @@ def section(directory, shown):
             + (f'<p class="note">In this folder: {html.escape(files)}</p>\n' if files else ""))
 
 
-COLUMNS = ("tracer", "beaten by", "ns a ray", "times moller_trumbore_f64", "wrong answers, % (95 % confidence)",
+COLUMNS = ("tracer", "tells", "beaten by", "ns a ray", "times moller_trumbore_f64", "wrong answers, % (95 % confidence)",
            "p99 error, ulps: mean over families", "of the worst", "worst backward error, unit roundoffs", "stable families",
            "left open, %")
 
@@ -77,7 +77,7 @@ def table(bench, precision):
     head = "".join(f"<th>{html.escape(column)}</th>" for column in COLUMNS)
     lines = []
     for r in summary(bench, precision):
-        cells = (f"<code>{html.escape(r.tracer)}</code>", r.beaten_by, findings.number(r.ns, 3), findings.number(r.ratio, 3),
+        cells = (f"<code>{html.escape(r.tracer)}</code>", TELLS[r.tells], r.beaten_by, findings.number(r.ns, 3), findings.number(r.ratio, 3),
                  f"{findings.number(100 * r.wrong)} ({findings.number(100 * r.low)} – {findings.number(100 * r.high)})",
                  "≤ ½" if r.error <= 0.5 else findings.number(r.error), findings.number(r.worst), findings.number(r.backward),
                  f"{r.stable} of {r.families}", findings.number(100 * r.open))
@@ -89,8 +89,8 @@ def table(bench, precision):
 def tables(bench):
     seen = "".join(f"<li>{marked(sentence)}</li>" for sentence in findings.table(bench))
     parts = [f"<h3>{precision} tracers</h3>\n{table(bench, precision)}\n" for precision in precisions(bench)]
-    return ('<h2 id="table">All tracers</h2>\n<p>Sorted by how many others of the same precision are both faster and more '
-            "accurate. Wrong answers are counted over all settings of all families; error is the geometric mean over families, "
+    return ('<h2 id="table">All tracers</h2>\n<p>Sorted by how many others of the same precision are faster and more accurate '
+            "(or as good in one of these), and tell no less: t, u and v, t alone, or hit or miss. Wrong answers are counted over all settings of all families; error is the geometric mean over families, "
             "each held between half an ulp and the largest coordinate. Left open is what a tracer's contract doesn't "
             "promise or what it can't be asked: neither is counted against it, so who answers little looks better than it "
             f"is.</p>\n<ul>{seen}</ul>\n{''.join(parts)}")
