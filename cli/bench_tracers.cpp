@@ -32,7 +32,7 @@ struct Options {
   std::optional<std::uint64_t> cases;
   std::uint64_t seed = 1;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
-  bool quick = false, json = false;
+  bool quick = false;
   ForeignOptions foreign;
 };
 
@@ -45,6 +45,7 @@ std::vector<const Tracer*> tracers_of(const Options& options) {
 }
 
 StabilityPlan stability_plan(const Options& options, const std::vector<const Tracer*>& tracers) {
+  if (options.cases == 0) throw InputError("--cases 0: no case to measure on; give a count of 1 or more");
   StabilityPlan plan{.subjects = subjects_of(tracers), .dials = {}, .cases = options.cases.value_or(options.quick ? 100 : 1000),
                      .seed = options.seed, .jobs = options.jobs};
   for (const std::string& dial : options.dials) plan.dials.push_back(*from_name<Dial>(dial_names, dial));

@@ -7,7 +7,7 @@ from figure import BLACK
 
 # Where a label may stand, from its point: directions, and how far in points of print.
 WAYS = ((1, 0), (1, 1), (1, -1), (-1, 0), (-1, 1), (-1, -1), (0, 1), (0, -1))
-FAR = (5, 10, 16, 24, 34, 46)
+FAR = (5, 10, 16, 24, 34, 46, 60, 80)
 SIDES = {1: "left", 0: "center", -1: "right"}
 HEIGHTS = {1: "bottom", 0: "center", -1: "top"}
 
@@ -47,9 +47,10 @@ def place_labels(axes, labels, obstacles, size=7):
             label = axes.annotate(text, (x, y), (dx * far, dy * far), textcoords="offset points", fontsize=size,
                                   ha=SIDES[dx], va=HEIGHTS[dy], zorder=5, arrowprops=leader)
             box = text_box(label, renderer)
-            way = [dot_at(px + dx * far * inch * i / 24, py + dy * far * inch * i / 24, inch) for i in range(4, 24)] if leader else []
+            along = [far * inch * i / 24 for i in range(4, 24)] if leader else []
+            way = [dot_at(px + dx * step, py + dy * step, inch) for step in along]
             cost = sum(overlap(box, other) for other in taken) + outside(box, frame)
-            cost += 30 * sum(overlap(dot, other) for dot in way for other in written)
+            cost += 100 * sum(overlap(part, other) for part in [box, *way] for other in written)
             if not leader:  # it would be read as another's
                 cost += sum(100 for other in places if other != (px, py) and distance(box, *other) < 2 * FAR[0] * inch)
             if least is None or cost < least:

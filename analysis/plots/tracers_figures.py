@@ -324,14 +324,15 @@ def symmetries(bench):
     kinds = precisions(bench)
     columns = distinct(r.symmetry for r in bench.symmetries)
     tallest = max(len(tracers(bench, p)) for p in kinds)
-    figure, axes = pyplot.subplots(1, len(kinds), squeeze=False, figsize=(4.0 * len(kinds), 0.9 + 0.165 * tallest))
+    figure, axes = pyplot.subplots(1, len(kinds), squeeze=False, figsize=(4.0 * len(kinds), max(0.9 + 0.165 * tallest, 2)))
     for panel, precision in zip(axes[0], kinds):
         found = {(r.tracer, r.symmetry): r for r in own(bench.symmetries, precision)}
         names = sorted(tracers(bench, precision), key=lambda n: (
             sum(found[n, c].changed for c in columns) / max(1, sum(found[n, c].asked for c in columns)), n))
         heat_map(panel, [[share_cell(found[n, c].changed, found[n, c].asked) for c in columns] for n in names], names, columns)
         panel.set_ylim(tallest - 0.5, -0.5)
-        panel.set_title(f"{precision} tracers: answers that change, in %", fontsize=8)
+        panel.text((len(columns) - 1) / 2, len(names) + 0.2, f"{precision} tracers: answers that change, in %", ha="center",
+                   fontsize=8)
     figure.tight_layout(w_pad=2)
     return figure
 
@@ -356,7 +357,7 @@ def inputs(bench):
     shares = wrong_by_inputs(bench)
     names = sorted(shares, key=lambda n: (shares[n]["binary64"], shares[n]["binary32"], n), reverse=True)
     least = 1e-6
-    figure, axes = pyplot.subplots(figsize=(5.2, 0.9 + 0.16 * len(names)))
+    figure, axes = pyplot.subplots(figsize=(5.2, max(0.9 + 0.16 * len(names), 1.6)))
     for y, name in enumerate(names):
         values = {kind: max(share, least) for kind, share in shares[name].items()}
         axes.plot([values["binary32"], values["binary64"]], [y, y], color=GREY, linewidth=1, zorder=1)
@@ -403,7 +404,7 @@ def speed(bench):
     """Ratios to the reference, by way of shooting."""
     kinds = precisions(bench)
     tallest = max(len(tracers(bench, p)) for p in kinds)
-    figure, axes = pyplot.subplots(1, len(kinds), squeeze=False, sharex=True, figsize=(4.1 * len(kinds), 1 + 0.165 * tallest))
+    figure, axes = pyplot.subplots(1, len(kinds), squeeze=False, sharex=True, figsize=(4.1 * len(kinds), max(1 + 0.165 * tallest, 2)))
     mixed = speeds(bench)
     for panel, precision in zip(axes[0], kinds):
         names = sorted(tracers(bench, precision), key=lambda n: (mixed[n].ratio, n))

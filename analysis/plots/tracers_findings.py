@@ -64,10 +64,10 @@ def pareto(bench):
         told.append(f"Of {count(len(found), precision + ' tracer')}, {len(best)} {'is' if len(best) == 1 else 'are'} beaten by "
                     f"none that tells as much: " + listed(
                         [f"`{p.tracer}` ({number(p.ns)} ns, {ulps(p.error)})" for p in best], 9) + ".")
-        for level in (0, 1):
+        for level, spared in ((0, "no t, u or v"), (1, "no u or v")):
             less = [p.tracer for p in found if p.tells == level]
             if less:
-                told.append(f"Only {TELLS[level]} is told by {named(less, 9)}, and there is nothing else to be wrong in.")
+                told.append(f"Only {TELLS[level]} is told by {named(less, 9)}, so that {spared} can be wrong.")
     told += price_of_exact(bench)
     return told
 

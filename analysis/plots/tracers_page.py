@@ -34,7 +34,7 @@ MEANINGS = (
     "<b>Sensitivity</b>: how far the right t, u and v move where every coordinate moves by a relative 1. It belongs to the "
     "problem: on grazing rays or slivers it is large for everybody.",
     "<b>Backward error</b>: forward error over sensitivity, so the least relative change of the input that would make the "
-    "answer right, in unit roundoffs (2<sup>-24</sup> or 2<sup>-53</sup>). It belongs to the algorithm.",
+    "answer right, in unit roundoffs (2<sup>−24</sup> or 2<sup>−53</sup>). It belongs to the algorithm.",
     "<b>Stable</b> is whose backward error stays within {bound:g} unit roundoffs in 99 of 100 cases, however hard they are.",
     "<b>p99</b>: 99 of 100 cases are no worse. A family's figure is that of its worst setting.",
     "binary32 tracers are put binary32 inputs and binary64 tracers full mantissas, unless said otherwise. An ulp of one is "
