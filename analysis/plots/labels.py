@@ -1,71 +1,93 @@
 """Labels beside points, none over another or over a point."""
+import itertools
 import math
 
+import numpy
 from matplotlib.text import Text
 
 from figure import BLACK
 
 # Where a label may stand, from its point: directions, and how far in points of print.
-WAYS = ((1, 0), (1, 1), (1, -1), (-1, 0), (-1, 1), (-1, -1), (0, 1), (0, -1))
-FAR = (5, 10, 16, 24, 34, 46, 60, 80)
-SIDES = {1: "left", 0: "center", -1: "right"}
-HEIGHTS = {1: "bottom", 0: "center", -1: "top"}
+WAYS = ((1, 0), (1, 1), (1, -1), (-1, 0), (-1, 1), (-1, -1), (0, 1), (0, -1), (0.5, 1), (-0.5, 1), (0.5, -1), (-0.5, -1))
+FAR = (5, 10, 16, 24, 34, 46, 60)
+SIDES, HEIGHTS = {1: "left", -1: "right"}, {1: "bottom", -1: "top"}  # else centred
 
 
-def overlap(a, b):
-    """Of two boxes (left, bottom, right, top): the area."""
-    return max(0, min(a[2], b[2]) - max(a[0], b[0])) * max(0, min(a[3], b[3]) - max(a[1], b[1]))
+def overlap(some, others):
+    """The area that boxes (left, bottom, right, top) have in common with others, summed."""
+    a, b = numpy.asarray(some, float).reshape(-1, 1, 4), numpy.asarray(others, float).reshape(1, -1, 4)
+    sides = numpy.minimum(a[..., 2:], b[..., 2:]) - numpy.maximum(a[..., :2], b[..., :2])
+    return float(numpy.prod(sides.clip(0), axis=-1).sum())
 
 
-def outside(a, frame):
-    return (a[2] - a[0]) * (a[3] - a[1]) - overlap(a, frame)
+def outside(box, frame):
+    return (box[2] - box[0]) * (box[3] - box[1]) - overlap(box, frame)
 
 
-def distance(box, x, y):
-    """From a box to a point."""
-    return math.hypot(max(box[0] - x, 0, x - box[2]), max(box[1] - y, 0, y - box[3]))
+def distance(box, point):
+    return math.hypot(max(box[0] - point[0], 0, point[0] - box[2]), max(box[1] - point[1], 0, point[1] - box[3]))
+
+
+def nearest(places, i):
+    """How far the nearest of the others is."""
+    return min((math.dist(places[i], other) for k, other in enumerate(places) if k != i), default=math.inf)
 
 
 def dot_at(x, y, half):
     return x - half, y - half, x + half, y + half
 
 
-def place_labels(axes, labels, obstacles, size=7):
-    """Writes each (x, y, text) where it covers least of what is there: the obstacles, which are points, and the labels
-    before it with the lines that lead to them; within the axes. To be called when the layout is settled."""
-    renderer = axes.figure.canvas.get_renderer()
-    inch = axes.figure.dpi / 72
-    taken = [dot_at(*axes.transData.transform(point), 3 * inch) for point in obstacles]
-    frame = axes.get_window_extent(renderer).extents
-    places = [tuple(axes.transData.transform((x, y))) for x, y, _ in labels]
-    written = []
-    for (x, y, text), (px, py) in zip(labels, places):
-        best, least = None, None
-        for far, (dx, dy) in ((far, way) for far in FAR for way in WAYS):
-            leader = dict(arrowstyle="-", color=BLACK, linewidth=0.4, shrinkA=0, shrinkB=2,
-                          relpos=((1 - dx) / 2, (1 - dy) / 2)) if far > FAR[0] else None
-            label = axes.annotate(text, (x, y), (dx * far, dy * far), textcoords="offset points", fontsize=size,
-                                  ha=SIDES[dx], va=HEIGHTS[dy], zorder=5, arrowprops=leader)
-            box = text_box(label, renderer)
-            along = [far * inch * i / 24 for i in range(4, 24)] if leader else []
-            way = [dot_at(px + dx * step, py + dy * step, inch) for step in along]
-            cost = sum(overlap(box, other) for other in taken) + outside(box, frame)
-            cost += 100 * sum(overlap(part, other) for part in [box, *way] for other in written)
-            if not leader:  # it would be read as another's
-                cost += sum(100 for other in places if other != (px, py) and distance(box, *other) < 2 * FAR[0] * inch)
-            if least is None or cost < least:
-                if best:
-                    best[0].remove()
-                best, least = (label, box, way), cost
-            else:
-                label.remove()
-            if least == 0:
-                break
-        taken += [tuple(best[1])] + best[2]
-        written.append(tuple(best[1]))
+def box_at(x, y, way, size):
+    """Of a text whose side or corner towards its point is there."""
+    (dx, dy), (width, height) = way, size
+    left = x - width * (0 if dx == 1 else 1 if dx == -1 else 0.5)
+    bottom = y - height * (0 if dy == 1 else 1 if dy == -1 else 0.5)
+    return left, bottom, left + width, bottom + height
 
 
 def text_box(label, renderer):
-    """Without the line that leads to it."""
+    """Of an annotation, without the line that leads to it."""
     label.update_positions(renderer)
     return Text.get_window_extent(label, renderer).extents
+
+
+def place_labels(axes, labels, obstacles, size=7):
+    """Writes each (x, y, text) where it covers least of what is there: the obstacles, which are points, and other
+    labels with the lines that lead to them; within the axes. To be called when the layout is settled."""
+    renderer = axes.figure.canvas.get_renderer()
+    inch = axes.figure.dpi / 72
+    frame = axes.get_window_extent(renderer).extents
+    points = [dot_at(*axes.transData.transform(point), 3 * inch) for point in obstacles]
+    places = [tuple(axes.transData.transform((x, y))) for x, y, _ in labels]
+    written, lines = [], []
+
+    def cost(i, far, box, line):
+        """As an area: worst is to be unreadable, then to be taken for another's; a long line is like a covered point."""
+        total = 100 * (overlap([box, *line], written) + overlap(box, lines) + outside(box, frame)) + overlap(box, points)
+        total += 5 * overlap(line, lines) + 0.1 * overlap(line, points) + 3 * far * inch
+        if not line:
+            total += sum(100 for other in places[:i] + places[i + 1:] if distance(box, other) < 2 * FAR[0] * inch)
+        return total
+
+    # Those that stand alone first: they are labelled at once, and the crowd keeps off.
+    for i in sorted(range(len(labels)), key=lambda i: -nearest(places, i)):
+        x, y, text = labels[i]
+        px, py = places[i]
+        label = axes.annotate(text, (x, y), (0, 0), textcoords="offset points", fontsize=size)
+        extent = text_box(label, renderer)
+        label.remove()
+        best, least = None, math.inf
+        for far, way in itertools.product(FAR, WAYS):
+            dx, dy = way
+            box = box_at(px + dx * far * inch, py + dy * far * inch, way, (extent[2] - extent[0], extent[3] - extent[1]))
+            along = [far * inch * k / 16 for k in range(4, 16)] if far > FAR[0] else []
+            line = [dot_at(px + dx * step, py + dy * step, inch) for step in along]
+            if (total := cost(i, far, box, line)) < least:
+                best, least = (far, way, box, line), total
+        far, (dx, dy), box, line = best
+        written.append(box)
+        lines += line
+        axes.annotate(text, (x, y), (dx * far, dy * far), textcoords="offset points", fontsize=size, zorder=5,
+                      ha=SIDES.get(dx, "center"), va=HEIGHTS.get(dy, "center"),
+                      arrowprops=dict(arrowstyle="-", color=BLACK, linewidth=0.4, shrinkA=0, shrinkB=2,
+                                      relpos=((1 - dx) / 2, (1 - dy) / 2)) if line else None)

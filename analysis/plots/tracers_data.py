@@ -1,5 +1,5 @@
-"""What `plumbline bench tracers` wrote into its folder, and what follows from it by counting: errors over all families, who is
-beaten by whom, shares with their confidence."""
+"""What `plumbline bench tracers` wrote into its folder, and what follows from it by counting: errors over all families,
+who is beaten by whom, shares with their confidence."""
 import json
 import math
 from types import SimpleNamespace
@@ -9,7 +9,8 @@ from figure import distinct, fail, read_csv
 COLUMNS = {
     "cells": "tracer precision inputs dial setting cases hits false_misses false_hits unspecified faults t_count "
              "u_count forward_p99 backward_p99",
-    "verdicts": "tracer precision inputs dial stable leaves_at slope wrong answers forward_p99 backward_p99 backward_worst",
+    "verdicts": "tracer precision inputs dial stable leaves_at slope wrong answers forward_p99 backward_p99 "
+                "backward_worst",
     "symmetries": "tracer precision inputs symmetry asked changed",
     "builds": "tracer variant precision inputs asked differ",
     "conditions": "tracer precision inputs log2_condition count median p99",
@@ -18,7 +19,8 @@ COLUMNS = {
 }
 TEXTS = {"tracer", "variant", "precision", "inputs", "dial", "symmetry", "way", "clock"}
 MAY_BE_EMPTY = {"builds", "conditions"}
-RUN = ("command", "version", "machine", "compiler", "seed", "cases", "stable_bound", "rounds", "slice_seconds", "dials")
+RUN = ("command", "version", "machine", "compiler", "seed", "cases", "stable_bound", "rounds", "slice_seconds",
+       "dials")
 
 # Errors are drawn from half an ulp, which rounding costs anyone, to as many as make up the largest coordinate.
 BITS = {"binary32": 24, "binary64": 53}
@@ -37,7 +39,8 @@ def read_table(directory, name):
             fail(f"{path}: row {number} isn't what plumbline writes; run plumbline bench tracers again")
         for kind in ("precision", "inputs"):
             if getattr(table[-1], kind, "binary64") not in BITS:
-                fail(f"{path}: row {number}: {kind} is neither {' nor '.join(BITS)}; run plumbline bench tracers again")
+                fail(f"{path}: row {number}: {kind} is neither {' nor '.join(BITS)}; "
+                     "run plumbline bench tracers again")
     return table
 
 
@@ -119,7 +122,8 @@ def points(bench, precision, dial=None):
     for tracer in tracers(bench, precision):
         error = overall_error([r for r in rows if r.tracer == tracer and dial in (None, r.dial)], precision)
         if error is not None:
-            found.append(SimpleNamespace(tracer=tracer, ns=ns[tracer].ns, error=error, tells=bench.tells.get(tracer, 0)))
+            found.append(SimpleNamespace(tracer=tracer, ns=ns[tracer].ns, error=error,
+                                         tells=bench.tells.get(tracer, 0)))
     return found
 
 

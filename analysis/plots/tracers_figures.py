@@ -64,7 +64,8 @@ def speed_scale(axes):
 def panels_of(count, columns, width, height, **shared):
     columns = min(columns, count)
     rows = math.ceil(count / columns)
-    figure, grid = pyplot.subplots(rows, columns, squeeze=False, figsize=(max(width * columns, 4), 0.3 + height * rows), **shared)
+    figure, grid = pyplot.subplots(rows, columns, squeeze=False, figsize=(max(width * columns, 4), 0.3 + height * rows),
+                                   **shared)
     axes = list(grid.flat)
     for unused in axes[count:]:
         unused.set_visible(False)
@@ -75,15 +76,14 @@ POINTS = ("s", "^", "o")  # by what a tracer tells
 
 
 def draw_points(axes, found):
-    """The points, and the steps of those that tell most and aren't beaten. Returns who isn't beaten, and what labels have to
-    keep off."""
+    """The points, and the steps of those that tell most and aren't beaten. Returns who isn't beaten, and what labels
+    have to keep off."""
     best = unbeaten(found)
     edge = [(p.ns, p.error) for p in best if p.tells == 2]
-    for mark, marker in enumerate(POINTS):
-        for here, style in ([p for p in found if p not in best], dict(color=FAINT, markeredgecolor=GREY)), (best, dict(color=BLUE)):
-            axes.plot([p.ns for p in here if p.tells == mark], [p.error for p in here if p.tells == mark], marker,
-                      markersize=4 if here is not best else 5, markeredgewidth=0.5, zorder=3 if here is best else 2,
-                      linestyle="none", **style)
+    for point in found:
+        style = (dict(color=BLUE, markersize=5, zorder=3) if point in best
+                 else dict(color=FAINT, markeredgecolor=GREY, markersize=4, zorder=2))
+        axes.plot(point.ns, point.error, POINTS[point.tells], linestyle="none", markeredgewidth=0.5, **style)
     axes.step([x for x, _ in edge], [y for _, y in edge], where="post", color=BLUE, linewidth=1, zorder=2.5)
     obstacles = [(p.ns, p.error) for p in found]
     for (x0, y0), (x1, y1) in zip(edge, edge[1:]):
@@ -96,8 +96,8 @@ def point_key(found):
     """Handles and labels of the kinds of points there are."""
     there = [i for i in (2, 1, 0) if any(p.tells == i for p in found)]
     handles = [pyplot.Line2D([], [], marker=POINTS[i], color=BLUE, linestyle="none", markersize=5) for i in there]
-    return (handles + [pyplot.Line2D([], [], marker="o", color=FAINT, markeredgecolor=GREY, linestyle="none", markersize=4)],
-            [f"tells {TELLS[i]}" for i in there] + ["beaten by one that tells as much"])
+    handles.append(pyplot.Line2D([], [], marker="o", color=FAINT, markeredgecolor=GREY, linestyle="none", markersize=4))
+    return handles, [f"tells {TELLS[i]}" for i in there] + ["beaten by one that tells as much"]
 
 
 def mark_exact(axes, bench, precision, size=7):
@@ -136,7 +136,8 @@ def pareto_families(bench, precision):
     """A panel for each family; who isn't beaten has a number, explained above."""
     families = dials(bench)
     found = {dial: points(bench, precision, dial) for dial in families}
-    numbered = distinct(p.tracer for p in sorted((p for dial in families for p in unbeaten(found[dial])), key=lambda p: (p.ns, p.tracer)))
+    best = [point for dial in families for point in unbeaten(found[dial])]
+    numbered = distinct(p.tracer for p in sorted(best, key=lambda p: (p.ns, p.tracer)))
     figure, axes, grid = panels_of(len(families), 3, 2.5, 1.75, sharex=True, sharey=True)
     drawn = []
     for panel, dial in zip(axes, families):
@@ -174,17 +175,19 @@ def finish_grid(axes, grid, x_label, y_label):
 
 def draw_lines(axes, lines, names):
     """Those of `names` each in a style of its own, all others faint."""
-    axes.add_collection(LineCollection([sorted(line) for name, line in lines.items() if name not in names], color=FAINT,
-                                       linewidth=0.6, zorder=1), autolim=True)
+    others = [sorted(line) for name, line in lines.items() if name not in names]
+    axes.add_collection(LineCollection(others, color=FAINT, linewidth=0.6, zorder=1), autolim=True)
     axes.autoscale_view()
     for name, (color, marker, dashes) in zip(names, LINES):
         if name in lines:
-            axes.plot(*zip(*sorted(lines[name])), dashes, color=color, marker=marker, markersize=2.8, linewidth=1, zorder=3)
+            axes.plot(*zip(*sorted(lines[name])), dashes, color=color, marker=marker, markersize=2.8, linewidth=1,
+                      zorder=3)
 
 
 def line_key(names, others, *more):
     """Handles and labels of what draw_lines() drew, and of more: (style, label)."""
-    styles = [(dict(color=c, marker=m, linestyle=d, markersize=3.5, linewidth=1), short(name)) for name, (c, m, d) in zip(names, LINES)]
+    styles = [(dict(color=c, marker=m, linestyle=d, markersize=3.5, linewidth=1), short(name))
+              for name, (c, m, d) in zip(names, LINES)]
     styles += ([(dict(color=FAINT), "all others")] if others else []) + list(more)
     return [pyplot.Line2D([], [], **style) for style, _ in styles], [label for _, label in styles]
 
@@ -208,7 +211,9 @@ def over_difficulty(bench, precision, measure, y_label, bound=None):
     for panel in axes[::grid.shape[1]]:
         panel.set_ylabel(y_label, fontsize=7.5)
     figure.tight_layout(h_pad=0.6, w_pad=0.6)
-    more = [] if bound is None else [(dict(color=BLACK, linewidth=0.8, linestyle=LONG), f"bound: {bound:g} unit roundoffs")]
+    more = []
+    if bound is not None:
+        more.append((dict(color=BLACK, linewidth=0.8, linestyle=LONG), f"bound: {bound:g} unit roundoffs"))
     key(figure, *line_key(names, len(tracers(bench, precision)) > len(names), *more))
     return figure
 
@@ -218,7 +223,8 @@ def forward(bench, precision):
 
 
 def backward(bench, precision):
-    return over_difficulty(bench, precision, "backward_p99", "p99 backward error\nin unit roundoffs", bench.run.stable_bound)
+    return over_difficulty(bench, precision, "backward_p99", "p99 backward error\nin unit roundoffs",
+                           bench.run.stable_bound)
 
 
 FEWEST = 10  # hits, of which a median is drawn
@@ -239,15 +245,15 @@ def condition(bench):
         names = [name for name in names if name in lines]
         panel.set_xscale("log")
         draw_lines(panel, lines, names)
-        panel.plot(ends, ends, color=BLACK, linewidth=0.8, linestyle=LONG, zorder=2)
-        panel.plot(ends, [bench.run.stable_bound * x for x in ends], color=BLACK, linewidth=0.8, linestyle=DOTS, zorder=2)
+        for times, dashes in ((1, LONG), (bench.run.stable_bound, DOTS)):
+            panel.plot(ends, [times * x for x in ends], color=BLACK, linewidth=0.8, linestyle=dashes, zorder=2)
         panel.set_xlim(0.7, 1.6 * ends[1])
         error_axis(panel.xaxis, precision)
         error_scale(panel, precision)
         panel.set_title(f"{precision} tracers")
         panel.set_xlabel("condition number of t")
-        panel.legend(*line_key(names, len(lines) > len(names)), loc="upper center", bbox_to_anchor=(0.5, -0.17), frameon=False,
-                     fontsize=7, ncol=2)
+        panel.legend(*line_key(names, len(lines) > len(names)), loc="upper center", bbox_to_anchor=(0.5, -0.17),
+                     frameon=False, fontsize=7, ncol=2)
     axes[0].set_ylabel("median relative error of t,\nin unit roundoffs")
     figure.tight_layout(w_pad=1.5)
     return figure
@@ -260,12 +266,13 @@ def heat_map(axes, cells, rows, columns):
     """cells[i][j] is (shade from 0 to 1, text), or None: nothing to say, hatched."""
     for i, line in enumerate(cells):
         for j, cell in enumerate(line):
+            square = pyplot.Rectangle((j - 0.5, i - 0.5), 1, 1, linewidth=0, in_layout=False)
+            axes.add_patch(square)
             if cell is None:
-                axes.add_patch(pyplot.Rectangle((j - 0.5, i - 0.5), 1, 1, facecolor="white", hatch="//////", edgecolor=FAINT,
-                                                linewidth=0, in_layout=False))
+                square.set(facecolor="white", hatch="//////", edgecolor=FAINT)
                 continue
             shade, text = cell
-            axes.add_patch(pyplot.Rectangle((j - 0.5, i - 0.5), 1, 1, color=SHADES(shade), linewidth=0, in_layout=False))
+            square.set(color=SHADES(shade))
             axes.text(j, i, text, ha="center", va="center", fontsize=6, color="white" if shade > 0.45 else BLACK,
                       in_layout=False)
     axes.set_xlim(-0.5, len(columns) - 0.5)
@@ -324,15 +331,17 @@ def symmetries(bench):
     kinds = precisions(bench)
     columns = distinct(r.symmetry for r in bench.symmetries)
     tallest = max(len(tracers(bench, p)) for p in kinds)
-    figure, axes = pyplot.subplots(1, len(kinds), squeeze=False, figsize=(4.0 * len(kinds), max(0.9 + 0.165 * tallest, 2)))
+    figure, axes = pyplot.subplots(1, len(kinds), squeeze=False,
+                                   figsize=(4.0 * len(kinds), max(0.9 + 0.165 * tallest, 2)))
     for panel, precision in zip(axes[0], kinds):
         found = {(r.tracer, r.symmetry): r for r in own(bench.symmetries, precision)}
         names = sorted(tracers(bench, precision), key=lambda n: (
             sum(found[n, c].changed for c in columns) / max(1, sum(found[n, c].asked for c in columns)), n))
-        heat_map(panel, [[share_cell(found[n, c].changed, found[n, c].asked) for c in columns] for n in names], names, columns)
+        heat_map(panel, [[share_cell(found[n, c].changed, found[n, c].asked) for c in columns] for n in names], names,
+                 columns)
         panel.set_ylim(tallest - 0.5, -0.5)
-        panel.text((len(columns) - 1) / 2, len(names) + 0.2, f"{precision} tracers: answers that change, in %", ha="center",
-                   fontsize=8)
+        panel.text((len(columns) - 1) / 2, len(names) + 0.2, f"{precision} tracers: answers that change, in %",
+                   ha="center", fontsize=8)
     figure.tight_layout(w_pad=2)
     return figure
 
@@ -345,7 +354,8 @@ def builds(bench):
     rows = own(bench.builds)
     names, columns = distinct(r.tracer for r in rows), distinct(suffix(r) for r in rows)
     found = {(r.tracer, suffix(r)): r for r in rows}
-    cells = [[share_cell(found[n, c].differ, found[n, c].asked) if (n, c) in found else (0, "") for c in columns] for n in names]
+    cells = [[share_cell(found[n, c].differ, found[n, c].asked) if (n, c) in found else (0, "") for c in columns]
+             for n in names]
     figure, axes = pyplot.subplots(figsize=(2.4 + 0.5 * len(columns), 0.9 + 0.2 * len(names)))
     heat_map(axes, cells, names, columns)
     axes.set_xlabel("answers that differ from the build on the left, in %", fontsize=8)
@@ -404,19 +414,20 @@ def speed(bench):
     """Ratios to the reference, by way of shooting."""
     kinds = precisions(bench)
     tallest = max(len(tracers(bench, p)) for p in kinds)
-    figure, axes = pyplot.subplots(1, len(kinds), squeeze=False, sharex=True, figsize=(4.1 * len(kinds), max(1 + 0.165 * tallest, 2)))
+    figure, axes = pyplot.subplots(1, len(kinds), squeeze=False, sharex=True,
+                                   figsize=(4.1 * len(kinds), max(1 + 0.165 * tallest, 2)))
     mixed = speeds(bench)
     for panel, precision in zip(axes[0], kinds):
         names = sorted(tracers(bench, precision), key=lambda n: (mixed[n].ratio, n))
         for way, marker, color in WAY_MARKS:
             rows = speeds(bench, way)
             here = [(rows[n].ratio, y) for y, n in enumerate(names) if n in rows]
-            panel.plot(*zip(*here), marker, color=color, markersize=4, linestyle="none",
-                       markerfacecolor=color if way == "mixed" else "none", markeredgewidth=0.9, zorder=4 if way == "mixed" else 3)
+            panel.plot(*zip(*here), marker, color=color, markersize=4, linestyle="none", markeredgewidth=0.9,
+                       **(dict(zorder=4) if way == "mixed" else dict(markerfacecolor="none", zorder=3)))
         panel.set_xscale("log")
         panel.xaxis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:,.10g}"))
         panel.axvline(1, color=BLACK, linewidth=0.7)
-        panel.set_yticks(range(len(names)), [short(n) + (" *" if mixed[n].clock == "wall" else "") for n in names], fontsize=7)
+        panel.set_yticks(range(len(names)), [short(n) + " *" * (mixed[n].clock == "wall") for n in names], fontsize=7)
         panel.set_ylim(tallest - 0.4, -0.6)
         panel.grid(color="#e4e8ea", linewidth=0.5)
         panel.set_title(f"{precision} tracers")
@@ -424,6 +435,6 @@ def speed(bench):
     handles = [pyplot.Line2D([], [], marker=m, color=c, linestyle="none", markersize=4.5,
                              markerfacecolor=c if way == "mixed" else "none") for way, m, c in WAY_MARKS]
     figure.tight_layout(w_pad=2)
-    figure.legend(handles, [way for way, _, _ in WAY_MARKS], loc="lower center", bbox_to_anchor=(0.5, 1.0), frameon=False,
-                  fontsize=8, ncol=6)
+    figure.legend(handles, [way for way, _, _ in WAY_MARKS], loc="lower center", bbox_to_anchor=(0.5, 1.0),
+                  frameon=False, fontsize=8, ncol=6)
     return figure

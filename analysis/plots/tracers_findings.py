@@ -1,14 +1,16 @@
-"""What is seen in the figures of `plumbline bench tracers`, in sentences: each is computed, and is there only where the data say
-so. A function for each figure; names are put between backticks."""
+"""What is seen in the figures of `plumbline bench tracers`, in sentences: each is computed, and is there only where the
+data say so. A function for each figure; names are put between backticks."""
 import math
 
 from figure import distinct
-from tracers_data import (BITS, LEAST, TELLS, dials, interval, own, points, precisions, speeds, summary, tracers, unbeaten, within)
+from tracers_data import (BITS, LEAST, TELLS, dials, interval, own, points, precisions, speeds, summary, tracers,
+                          unbeaten, within)
 from tracers_figures import chosen, conditions_of, suffix, wrong_by_inputs
 
-# An absolute epsilon is told from underflow where no product of so many coordinates leaves the range of normal numbers.
+# An absolute epsilon is told from underflow where no product of so many coordinates leaves the normal numbers.
 FACTORS = 4
 EXPONENTS = {"binary32": 126, "binary64": 1022}
+INSTRUCTION_SETS = ("sse2", "avx", "avx2", "avx512")
 
 
 def number(value, digits=2):
@@ -36,6 +38,10 @@ def count(amount, noun):
     return f"{amount:,} {noun}" + ("" if amount == 1 else "es" if noun.endswith("s") else "s")
 
 
+def are(amount):
+    return "is" if amount == 1 else "are"
+
+
 def families(amount):
     return "1 family" if amount == 1 else f"{amount} families"
 
@@ -61,8 +67,8 @@ def pareto(bench):
     for precision in precisions(bench):
         found = points(bench, precision)
         best = unbeaten(found)
-        told.append(f"Of {count(len(found), precision + ' tracer')}, {len(best)} {'is' if len(best) == 1 else 'are'} beaten by "
-                    f"none that tells as much: " + listed(
+        told.append(f"Of {count(len(found), precision + ' tracer')}, {len(best)} {are(len(best))} beaten by none that "
+                    "tells as much: " + listed(
                         [f"`{p.tracer}` ({number(p.ns)} ns, {ulps(p.error)})" for p in best], 9) + ".")
         for level, spared in ((0, "no t, u or v"), (1, "no u or v")):
             less = [p.tracer for p in found if p.tells == level]
@@ -84,8 +90,8 @@ def price_of_exact(bench):
     told.append(f"Zero costs {number(exact.ns)} ns a ray: `exact` takes {number(exact.ratio)} times as long as "
                 "`moller_trumbore_f64`.")
     if slower:
-        told.append(f"{count(len(slower), 'tracer')} of {len(mixed) - 1} {'is' if len(slower) == 1 else 'are'} slower than "
-                    f"`exact` and wrong: {named(sorted(slower, key=lambda n: mixed[n].ns), 8)}.")
+        told.append(f"{count(len(slower), 'tracer')} of {len(mixed) - 1} {are(len(slower))} slower than `exact` and "
+                    f"wrong: {named(sorted(slower, key=lambda n: mixed[n].ns), 8)}.")
     return told
 
 
@@ -115,10 +121,9 @@ def forward(bench, precision):
             continue
         worst = max(here, key=lambda r: r.forward_p99)
         good = sum(r.forward_p99 <= 2 ** 4 for r in here)
+        how = "where its numbers aren't finite" if math.isinf(worst.forward_p99) else f"with {ulps(worst.forward_p99)}"
         told.append(f"`{name}` stays within 16 ulps in {good} of {families(len(here))}"
-                    + (f"; its worst is `{worst.dial}`, " + ("where its numbers aren't finite." if math.isinf(worst.forward_p99)
-                                                             else f"with {number(worst.forward_p99)} ulps.")
-                       if worst.forward_p99 > 16 else "."))
+                    + (f"; its worst is `{worst.dial}`, {how}." if worst.forward_p99 > 16 else "."))
     told += growth(bench, precision)
     told += closed_edges(bench, precision)
     return told
@@ -126,12 +131,12 @@ def forward(bench, precision):
 
 def growth(bench, precision):
     """Errors that grow in step with the dial."""
-    rows = [r for r in own(bench.verdicts, precision) if r.tracer != "exact" and r.answers > 0 and r.forward_p99 > 2 ** 10]
+    rows = [r for r in own(bench.verdicts, precision) if r.tracer != "exact" and r.answers > 0]
     told = []
     for dial in dials(bench):
-        slopes = [r.slope for r in rows if r.dial == dial]
+        slopes = [r.slope for r in rows if r.dial == dial and r.forward_p99 > 2 ** 10]
         steps = bench.run.dials[dial].endswith("log2")
-        among = sum(r.answers > 0 for r in own(bench.verdicts, precision) if r.dial == dial and r.tracer != "exact")
+        among = sum(r.dial == dial for r in rows)
         if steps and among > 2 and len(slopes) > among / 2 and 0.5 < (middle := sorted(slopes)[len(slopes) // 2]) < 4:
             told.append(f"`{dial}`: 2^{number(middle)} in the median of {count(len(slopes), 'tracer')}")
     return [f"By so much the error grows with each doubling of the difficulty: {listed(told, 8)}."] if told else []
@@ -143,11 +148,11 @@ def closed_edges(bench, precision):
     told = []
     for name in distinct(c.tracer for c in rows):
         hits, missed = (sum(getattr(c, what) for c in rows if c.tracer == name) for what in ("hits", "false_misses"))
-        if missed and name in (f"woop_watertight_f{32 if precision == 'binary32' else 64}",):
+        if missed and name in ("woop_watertight_f32", "woop_watertight_f64"):
             low, high = interval(missed, hits)
-            told.append(f"`{name}` isn't closed on a single triangle: of {count(hits, 'ray')} that meet an edge or vertex of "
-                        f"`lattice` exactly it misses {percent(missed / hits)} ({percent(low)} to {percent(high)}). Watertight "
-                        "is a promise about two triangles that share the edge.")
+            told.append(f"`{name}` isn't closed on a single triangle: of {count(hits, 'ray')} that meet an edge or "
+                        f"vertex of `lattice` exactly it misses {percent(missed / hits)} ({percent(low)} to {percent(high)}). "
+                        "Watertight is a promise about two triangles that share the edge.")
     closed = [n for n in distinct(c.tracer for c in rows) if n != "exact" and all(
         c.false_misses == 0 and c.unspecified + c.faults == 0 for c in rows if c.tracer == n)]
     if closed:
@@ -160,8 +165,8 @@ def backward(bench, precision):
     bound, told = f"{bench.run.stable_bound:g}", []
     always = [n for n in names if (here := [r for r in rows if r.tracer == n]) and all(r.stable for r in here)]
     if always:
-        told.append(f"Backward stable on every family, with a 99th percentile within {bound} unit roundoffs at each setting: "
-                    f"{named(always, 10)}.")
+        told.append(f"Backward stable on every family, with a 99th percentile within {bound} unit roundoffs at each "
+                    f"setting: {named(always, 10)}.")
     elif names:
         told.append(f"No {precision} tracer stays within {bound} unit roundoffs on every family.")
     hard, easy = [], []
@@ -187,12 +192,13 @@ def condition(bench):
 
         def excess(name, share):
             """By how much the error is more than its condition explains, at most."""
-            return max(within(getattr(r, share), precision) / 2.0 ** r.log2_condition for r in rows if r.tracer == name)
+            here = [r for r in rows if r.tracer == name]
+            return max(within(getattr(r, share), precision) / 2.0 ** r.log2_condition for r in here)
 
         half, nearly_all = ([n for n in names if excess(n, share) <= bound] for share in ("median", "p99"))
-        told.append(f"{precision}: in half of the hits t is within {bound:g} times what the condition number explains at every "
-                    f"condition number with {len(half)} of {count(len(names), 'tracer')} that tell t; in 99 of 100 hits with "
-                    + (f"{len(nearly_all)} ({named(nearly_all)})." if nearly_all else "none."))
+        told.append(f"{precision}: in half of the hits t is within {bound:g} times what the condition number explains, "
+                    f"at every condition number, with {len(half)} of {count(len(names), 'tracer')} that tell t; in 99 of "
+                    "100 hits with " + (f"{len(nearly_all)} ({named(nearly_all)})." if nearly_all else "none."))
         beyond = sorted((n for n in names if n not in half), key=lambda n: (-excess(n, "median"), n))
         if beyond:
             told.append("Farthest from it in the median: " + listed(
@@ -207,15 +213,16 @@ def verdicts(bench, precision):
     easy = [r for r in rows if r.leaves_at == first[r.dial]]
     names = distinct(r.tracer for r in easy)
     if names:
-        told.append(f"{len(names)} of {count(len(tracers(bench, precision)), 'tracer')} leave their bound already where a dial is "
-                    f"at its easiest: " + listed([f"`{n}` ({families(sum(r.tracer == n for r in easy))})" for n in
-                                                 sorted(names, key=lambda n: -sum(r.tracer == n for r in easy))], 7) + ".")
+        times = {n: sum(r.tracer == n for r in easy) for n in names}
+        told.append(f"Outside their bound already where a dial is at its easiest, of {len(tracers(bench, precision))}: "
+                    + listed([f"`{n}` ({families(times[n])})" for n in sorted(times, key=lambda n: -times[n])], 7)
+                    + ".")
     return told
 
 
 def absolute_epsilons(bench):
-    """Where scaled points are missed though no product under- or overflows there, and unscaled they are hit: a length is
-    built in."""
+    """Where scaled points are missed though no product under- or overflows there, and unscaled they are hit: a length
+    is built in."""
     missed = {}
     for row in own(bench.cells):
         if row.dial in ("tiny", "huge") and row.hits and FACTORS * row.setting <= EXPONENTS[row.precision]:
@@ -239,14 +246,15 @@ def symmetries(bench):
                         listed([f"`{r.tracer}` ({percent(r.changed / r.asked)})" for r in changed[:3]]))
     if told:
         told = ["Answers that change from hit to miss or back, though the right answer can't. " + "; ".join(told) + "."]
-    never = [n for n in names if all(r.changed == 0 for r in rows if r.tracer == n) and any(r.asked for r in rows if r.tracer == n)]
+    asked, changing = ({r.tracer for r in rows if getattr(r, what)} for what in ("asked", "changed"))
+    never = [n for n in names if n in asked - changing]
     if never:
         told.append(f"None changes with {named(never, 8)}.")
     epsilons = absolute_epsilons(bench)
     if epsilons:
-        told.append("Absolute epsilons die under scaling: at scales where no product of "
-                    f"{FACTORS} coordinates under- or overflows, more than nine of ten hits are missed, and unscaled less than one in "
-                    f"twenty, by {listed(epsilons, 20)}.")
+        told.append(f"Absolute epsilons die under scaling: at scales where no product of {FACTORS} coordinates under- "
+                    "or overflows, more than nine of ten hits are missed, and unscaled less than one in twenty, by "
+                    f"{listed(epsilons, 20)}.")
     return told
 
 
@@ -259,13 +267,13 @@ def builds(bench):
         differ = sorted((r for r in here if r.differ), key=lambda r: (-r.differ / r.asked, r.tracer))
         if differ:
             worst = differ[0]
-            told.append(f"`{what}` changes answers of {len(differ)} of {len(here)}, at most {percent(worst.differ / worst.asked)} "
-                        f"of `{worst.tracer}`")
+            told.append(f"`{what}` changes answers of {len(differ)} of {len(here)}, at most "
+                        f"{percent(worst.differ / worst.asked)} of `{worst.tracer}`")
     same = [w for w in distinct(suffix(r) for r in rows) if not any(r.differ for r in rows if suffix(r) == w)]
     told = ["; ".join(told) + "."] if told else []
     if same:
         told.append(f"Without any effect: {named(same, 8)}.")
-    sets = [r for r in rows if r.tracer.startswith("embree_") and suffix(r) in ("sse2", "avx", "avx2", "avx512") and r.differ]
+    sets = [r for r in rows if r.tracer.startswith("embree_") and suffix(r) in INSTRUCTION_SETS and r.differ]
     if sets:
         told.append("Embree's answers depend on the instruction set it is run with: " + listed(
             [f"`{r.tracer}` and `{suffix(r)}` differ in {percent(r.differ / r.asked)}" for r in sets]) + ".")
@@ -277,13 +285,13 @@ def inputs(bench):
     good = [n for n in shares if shares[n]["binary32"] < 0.01]
     perfect = sum(shares[n]["binary32"] == 0 for n in shares)
     if good:
-        told.append(f"On binary32 inputs {len(good)} of {count(len(shares), 'binary64 tracer')} are wrong in less than 1 % of the "
-                    f"answers, {perfect} of them never.")
-    fail = sorted((n for n in shares if shares[n]["binary64"] >= 0.001 and shares[n]["binary64"] > 5 * shares[n]["binary32"]),
-                  key=lambda n: (-shares[n]["binary64"], n))
-    if fail:
+        told.append(f"On binary32 inputs {len(good)} of {count(len(shares), 'binary64 tracer')} {are(len(good))} wrong "
+                    f"in less than 1 % of the answers, {perfect} of them never.")
+    worse = sorted((-share["binary64"], n) for n, share in shares.items()
+                   if share["binary64"] >= 0.001 and share["binary64"] > 5 * share["binary32"])
+    if worse:
         told.append("Full mantissas tell more: at least five times as often wrong on them are " + listed(
-            [f"`{n}` ({percent(shares[n]['binary64'])} against {percent(shares[n]['binary32'])})" for n in fail], 8) + ".")
+            [f"`{n}` ({percent(-share)} against {percent(shares[n]['binary32'])})" for share, n in worse], 8) + ".")
     return told
 
 
@@ -292,12 +300,14 @@ def speed(bench):
     ranked = sorted(mixed.values(), key=lambda r: (r.ns, r.tracer))
     told.append(f"Fastest on mixed rays is `{ranked[0].tracer}` with {number(ranked[0].ns)} ns a ray, slowest "
                 f"`{ranked[-1].tracer}` with {number(ranked[-1].ns)} ns.")
-    for way, words in (("single", "A call for each ray instead of one for all"), ("bags", "A triangle prepared for each ray")):
+    for way, words in (("single", "A call for each ray instead of one for all"),
+                       ("bags", "A triangle prepared for each ray")):
         rows = speeds(bench, way)
         ratios = sorted((rows[n].ns / mixed[n].ns, n) for n in mixed if n in rows and mixed[n].ns > 0)
         if ratios:
+            most, who = ratios[-1]
             told.append(f"{words} costs {number(ratios[len(ratios) // 2][0])} times as much in the median, and at most "
-                        f"{number(ratios[-1][0])} times (`{ratios[-1][1]}`).")
+                        f"{number(most)} times (`{who}`).")
     wall = [r.tracer for r in ranked if r.clock == "wall"]
     if wall:
         told.append(f"In a process of their own, by the clock on the wall (*): {named(wall)}.")

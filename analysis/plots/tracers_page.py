@@ -1,5 +1,5 @@
-"""One HTML page of what `plumbline bench tracers` measured: figures with what is seen in them, the table of tracers, how it was
-measured. It needs nothing beside it: pictures are in the page, there is no script."""
+"""One HTML page of what `plumbline bench tracers` measured: figures with what is seen in them, the table of tracers, how
+it was measured. It needs nothing beside it: pictures are in the page, there is no script."""
 import base64
 import html
 import pathlib
@@ -7,7 +7,8 @@ import re
 
 import tracers_findings as findings
 from figure import fail
-from tracers_data import TELLS, dials, precisions, summary, tracers
+from tracers_data import LEAST, TELLS, dials, precisions, summary, tracers
+from tracers_findings import number
 
 STYLE = """
 :root { color-scheme: light; }
@@ -15,7 +16,8 @@ body { font: 16px/1.5 system-ui, "DejaVu Sans", sans-serif; color: #1b2226; back
        margin: 0 auto; padding: 1rem; }
 h1 { font-size: 1.7rem; line-height: 1.2; } h2 { font-size: 1.25rem; margin-top: 2.5rem; }
 code { font: 0.88em "DejaVu Sans Mono", monospace; overflow-wrap: anywhere; }
-dl { display: grid; grid-template-columns: max-content 1fr; gap: 0.1rem 1rem; } dd { margin: 0; overflow-wrap: anywhere; }
+dl { display: grid; grid-template-columns: max-content 1fr; gap: 0.1rem 1rem; }
+dd { margin: 0; overflow-wrap: anywhere; }
 @media (max-width: 40rem) { dl { grid-template-columns: 1fr; } dd { margin: 0 0 0.4rem; } }
 figure { margin: 1rem 0; } .wide { overflow-x: auto; }
 figure img { display: block; width: 100%; min-width: 34rem; max-width: var(--width); height: auto; margin: 0 auto; }
@@ -29,16 +31,16 @@ a { color: #00567f; }
 
 MEANINGS = (
     "<b>Forward error</b>: how far off an answer is, measured exactly, in units in the last place (ulps) of the largest "
-    "coordinate, at the tracer's precision. Of a right hit: how far its t, u and v lie from where they should. Of a wrong "
-    "decision: how far the ray would have to move for it to be right.",
-    "<b>Sensitivity</b>: how far the right t, u and v move where every coordinate moves by a relative 1. It belongs to the "
-    "problem: on grazing rays or slivers it is large for everybody.",
-    "<b>Backward error</b>: forward error over sensitivity, so the least relative change of the input that would make the "
-    "answer right, in unit roundoffs (2<sup>−24</sup> or 2<sup>−53</sup>). It belongs to the algorithm.",
-    "<b>Stable</b> is whose backward error stays within {bound:g} unit roundoffs in 99 of 100 cases, however hard they are.",
+    "coordinate, at the tracer's precision. Of a right hit: how far its t, u and v lie from where they should. Of a "
+    "wrong decision: how far the ray would have to move for it to be right.",
+    "<b>Sensitivity</b>: how far the right t, u and v move where every coordinate moves by a relative 1. It belongs to "
+    "the problem: on grazing rays or slivers it is large for everybody.",
+    "<b>Backward error</b>: forward error over sensitivity, so the least relative change of the input that would make "
+    "the answer right, in unit roundoffs (2<sup>−24</sup> or 2<sup>−53</sup>). It belongs to the algorithm.",
+    "<b>Stable</b> is whose backward error stays within {bound:g} unit roundoffs in 99 of 100 cases, however hard.",
     "<b>p99</b>: 99 of 100 cases are no worse. A family's figure is that of its worst setting.",
-    "binary32 tracers are put binary32 inputs and binary64 tracers full mantissas, unless said otherwise. An ulp of one is "
-    "2<sup>29</sup> ulps of the other, so the two are never in one panel.",
+    "binary32 tracers are put binary32 inputs and binary64 tracers full mantissas, unless said otherwise. An ulp of one "
+    "is 2<sup>29</sup> ulps of the other, so the two are never in one panel.",
 )
 
 
@@ -61,26 +63,26 @@ def picture(directory, name, alt):
 def section(directory, shown):
     """Title, what is drawn, picture, what is seen."""
     seen = "".join(f"<li>{marked(sentence)}</li>" for sentence in shown.seen)
-    files = f'{shown.name}.png, {shown.name}.svg, {", ".join(table + ".csv" for table in shown.tables)}' if shown.drawn else ""
+    files = [f"{shown.name}.png", f"{shown.name}.svg", *(f"{table}.csv" for table in shown.tables)] if shown.drawn else []
     return (f'<h2 id="{shown.name}">{html.escape(shown.title)}</h2>\n<p>{marked(shown.what)}</p>\n'
             + (picture(directory, shown.name, shown.title) if shown.drawn else "")
             + (f"<ul>{seen}</ul>\n" if seen else "")
-            + (f'<p class="note">In this folder: {html.escape(files)}</p>\n' if files else ""))
+            + (f'<p class="note">In this folder: {", ".join(files)}</p>\n' if files else ""))
 
 
-COLUMNS = ("tracer", "tells", "beaten by", "ns a ray", "times moller_trumbore_f64", "wrong answers, % (95 % confidence)",
-           "p99 error, ulps: mean over families", "of the worst", "worst backward error, unit roundoffs", "stable families",
-           "left open, %")
+COLUMNS = ("tracer", "tells", "beaten by", "ns a ray", "times moller_trumbore_f64",
+           "wrong answers, % (95 % confidence)", "p99 error, ulps: mean over families", "of the worst",
+           "worst backward error, unit roundoffs", "stable families", "left open, %")
 
 
 def table(bench, precision):
     head = "".join(f"<th>{html.escape(column)}</th>" for column in COLUMNS)
     lines = []
     for r in summary(bench, precision):
-        cells = (f"<code>{html.escape(r.tracer)}</code>", TELLS[r.tells], r.beaten_by, findings.number(r.ns, 3), findings.number(r.ratio, 3),
-                 f"{findings.number(100 * r.wrong)} ({findings.number(100 * r.low)} – {findings.number(100 * r.high)})",
-                 "≤ ½" if r.error <= 0.5 else findings.number(r.error), findings.number(r.worst), findings.number(r.backward),
-                 f"{r.stable} of {r.families}", findings.number(100 * r.open))
+        cells = (f"<code>{html.escape(r.tracer)}</code>", TELLS[r.tells], r.beaten_by, number(r.ns, 3), number(r.ratio, 3),
+                 f"{number(100 * r.wrong)} ({number(100 * r.low)} – {number(100 * r.high)})",
+                 "≤ ½" if r.error <= LEAST else number(r.error), number(r.worst), number(r.backward),
+                 f"{r.stable} of {r.families}", number(100 * r.open))
         kind = ' class="exact"' if r.tracer == "exact" else ""
         lines.append(f"<tr{kind}>" + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>")
     return f'<div class="wide"><table><thead><tr>{head}</tr></thead><tbody>{"".join(lines)}</tbody></table></div>'
@@ -89,11 +91,12 @@ def table(bench, precision):
 def tables(bench):
     seen = "".join(f"<li>{marked(sentence)}</li>" for sentence in findings.table(bench))
     parts = [f"<h3>{precision} tracers</h3>\n{table(bench, precision)}\n" for precision in precisions(bench)]
-    return ('<h2 id="table">All tracers</h2>\n<p>Sorted by how many others of the same precision are faster and more accurate '
-            "(or as good in one of these), and tell no less: t, u and v, t alone, or hit or miss. Wrong answers are counted over all settings of all families; error is the geometric mean over families, "
-            "each held between half an ulp and the largest coordinate. Left open is what a tracer's contract doesn't "
-            "promise or what it can't be asked: neither is counted against it, so who answers little looks better than it "
-            f"is.</p>\n<ul>{seen}</ul>\n{''.join(parts)}")
+    what = ("Sorted by how many others of the same precision are faster and more accurate, or as good in one of these, and "
+            "tell no less: t, u and v, t alone, or hit or miss. Wrong answers are counted over all settings of all "
+            "families; error is the geometric mean over families, each held between half an ulp and the largest "
+            "coordinate. Left open is what a tracer's contract doesn't promise or what it can't be asked: neither is "
+            "counted against it, so who answers little looks better than it is.")
+    return f'<h2 id="table">All tracers</h2>\n<p>{html.escape(what)}</p>\n<ul>{seen}</ul>\n{"".join(parts)}'
 
 
 def head(bench):
@@ -118,11 +121,23 @@ def page(directory, bench, shown):
                     for name, title in [(s.name, s.title) for s in shown[:1]] + [("table", "All tracers")]
                     + [(s.name, s.title) for s in shown[1:]])
     meanings = "".join(f"<li>{meaning.format(bound=bench.run.stable_bound)}</li>" for meaning in MEANINGS)
-    text = (f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-            f'<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>Ray/triangle tracers: speed against '
-            f"error</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<h1>Ray/triangle tracers: speed against error, and numerical "
-            f"stability</h1>\n<dl>{head(bench)}</dl>\n<h2>How to read it</h2>\n<ul>{meanings}</ul>\n<nav><ul>{links}</ul></nav>\n"
-            + sections[0] + tables(bench) + "".join(sections[1:]) + "</body>\n</html>\n")
+    text = f"""<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>Ray/triangle tracers: speed against error</title>
+<style>{STYLE}</style>
+</head>
+<body>
+<h1>Ray/triangle tracers: speed against error, and numerical stability</h1>
+<dl>{head(bench)}</dl>
+<h2>How to read it</h2>
+<ul>{meanings}</ul>
+<nav><ul>{links}</ul></nav>
+{sections[0]}{tables(bench)}{"".join(sections[1:])}</body>
+</html>
+"""
     try:
         pathlib.Path(f"{directory}/index.html").write_text(text, encoding="utf-8")
     except OSError as error:

@@ -161,7 +161,7 @@ class HandMade(Scratch):
             return self.told(findings.inputs, verdicts=[
                 {"inputs": "binary32", "wrong": on_single, "answers": 1000, "dial": dial},
                 {"inputs": "binary64", "wrong": on_double, "answers": 1000, "dial": dial}])
-        self.assertIn("On binary32 inputs 1 of 1 binary64 tracer are wrong in less than 1 % of the answers, 1 of them never.",
+        self.assertIn("On binary32 inputs 1 of 1 binary64 tracer is wrong in less than 1 % of the answers, 1 of them never.",
                       told(0, 90))
         self.assertIn("wrong on them are `exact` (9 % against 0.2 %)", told(2, 90))
         self.assertNotIn("Full mantissas", told(2, 10))
