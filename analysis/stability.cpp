@@ -80,11 +80,8 @@ double backward_of_decision(const Facts& f, bool answered_hit) {
   const Sensitivity& s = *f.sensitivity;
   // By how much each lies inside; negative outside.
   const Ray& ray = f.query.ray;
-  const std::array<std::array<double, 2>, 5> inside = {{{m.u, s.u},
-                                                        {m.v, s.v},
-                                                        {m.w, s.w},
-                                                        {m.t - ray.t_min, s.t},
-                                                        {ray.t_max - m.t, s.t}}};
+  const std::array<std::array<double, 2>, 5> inside = {
+      {{m.u, s.u}, {m.v, s.v}, {m.w, s.w}, {m.t - ray.t_min, s.t}, {ray.t_max - m.t, s.t}}};
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const auto& [margin, moved] : inside) {
     const double change = moved > 0 ? std::abs(margin) / moved : 0;
@@ -140,11 +137,15 @@ std::optional<Shot> changed(const Shot& shot, Symmetry symmetry, Precision preci
       for (Vec3* p : points) turn(*p);
       turn(s.ray.direction);
       break;
-    case Symmetry::vertices: s.triangle = {s.triangle.b, s.triangle.c, s.triangle.a}; break;
+    case Symmetry::vertices:
+      s.triangle = {s.triangle.b, s.triangle.c, s.triangle.a};
+      break;
     case Symmetry::translation:
       for (Vec3* p : points) move(p->x, 4), move(p->y, -8), move(p->z, 2);
       break;
-    case Symmetry::direction: scale(s.ray.direction, odd ? 0x1p+5 : 0x1p-5); break;
+    case Symmetry::direction:
+      scale(s.ray.direction, odd ? 0x1p+5 : 0x1p-5);
+      break;
   }
   return same ? std::optional(s) : std::nullopt;
 }
@@ -264,8 +265,7 @@ class Run {
     result_.conduct.resize(subjects);
     relative_.resize(subjects);
     for (std::size_t s = 0; s < subjects; ++s) {
-      for (const Dial dial : plan.dials)
-        result_.cells[s].emplace_back(settings(dial, plan.subjects[s].inputs).size());
+      for (const Dial dial : plan.dials) result_.cells[s].emplace_back(settings(dial, plan.subjects[s].inputs).size());
       if (const auto base = base_of(plan.subjects, s)) result_.builds.push_back({.base = *base, .variant = s});
     }
     for (const Precision inputs : {Precision::binary32, Precision::binary64}) {

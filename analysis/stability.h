@@ -2,11 +2,11 @@
 // what the algorithm does.
 //
 // The error of an answer (forward) is, in ulps of the largest coordinate at the tracer's precision: of a wrong one its
-// severity; of a right hit how far its t, u and v are off as lengths (the greater of HitErrors::point and residual); of a
-// right miss 0. Its backward error is the least relative change of the coordinates that would make it right, to first order,
-// in units of the precision's unit roundoff: error of t, u, v over their sensitivity (oracle/sensitivity.h); of a
-// wrong decision, that of the t, u, v or w that it is wrong by. A stable algorithm has a small backward error
-// however hard the case.
+// severity; of a right hit how far its t, u and v are off as lengths (the greater of HitErrors::point and residual); of
+// a right miss 0. Its backward error is the least relative change of the coordinates that would make it right, to first
+// order, in units of the precision's unit roundoff: error of t, u, v over their sensitivity (oracle/sensitivity.h); of
+// a wrong decision, that of the t, u, v or w that it is wrong by. A stable algorithm has a small backward error however
+// hard the case.
 #pragma once
 #include <array>
 #include <atomic>
@@ -49,10 +49,10 @@ struct StabilityCell {
   std::uint64_t cases = 0;
   std::uint64_t hits = 0;  ///< right answer a hit; of the rest a miss, but for what is unspecified
   std::uint64_t false_misses = 0, false_hits = 0, unspecified = 0, faults = 0;
-  std::uint64_t not_finite = 0;  ///< right hits with a t, u or v that is NaN or infinite
-  Spread severity;               ///< ulps, of wrong answers
-  Spread nominal_severity;       ///< of those whose case is nominal
-  Spread t, u, v;                ///< ulps of the exact value, of right hits
+  std::uint64_t not_finite = 0;   ///< right hits with a t, u or v that is NaN or infinite
+  Spread severity;                ///< ulps, of wrong answers
+  Spread nominal_severity;        ///< of those whose case is nominal
+  Spread t, u, v;                 ///< ulps of the exact value, of right hits
   Spread point, residual, start;  ///< HitErrors, of right hits
   Spread forward, backward;       ///< of all that are right or wrong
   Spread condition;  ///< sensitivity of t over t, of right hits: by what the problem may enlarge a relative error
@@ -60,7 +60,8 @@ struct StabilityCell {
 
 /// What leaves the right answer as it is: whether the tracer's changes with it.
 enum class Symmetry : unsigned char { scale, axes, vertices, translation, direction };
-inline constexpr std::array<std::string_view, 5> symmetry_names = {"scale", "axes", "vertices", "translation", "direction"};
+inline constexpr std::array<std::string_view, 5> symmetry_names = {"scale", "axes", "vertices", "translation",
+                                                                   "direction"};
 constexpr std::string_view name(Symmetry s) { return symmetry_names[static_cast<unsigned>(s)]; }
 
 struct SymmetryCount {
@@ -78,7 +79,7 @@ inline constexpr int condition_bins = 64;
 
 struct StabilityResult {
   StabilityPlan plan;
-  std::vector<std::vector<std::vector<StabilityCell>>> cells;  ///< by subject, dial, setting
+  std::vector<std::vector<std::vector<StabilityCell>>> cells;                ///< by subject, dial, setting
   std::vector<std::array<SymmetryCount, symmetry_names.size()>> symmetries;  ///< by subject
   std::vector<BuildCount> builds;
   /// By subject: relative error of t, in units of the unit roundoff.

@@ -16,7 +16,7 @@ namespace {
 
 struct Measure {
   std::string_view name;
-  Spread StabilityCell::* spread;
+  Spread StabilityCell::*spread;
 };
 
 constexpr std::array<Measure, 11> measures = {{{"severity", &StabilityCell::severity},
@@ -45,7 +45,8 @@ std::array<double, 2> interval(std::uint64_t part, std::uint64_t whole) {
   if (whole == 0) return {0, 1};
   constexpr double z = 1.959963984540054;
   const double n = static_cast<double>(whole), p = static_cast<double>(part) / n;
-  const double middle = p + z * z / (2 * n), half = z * std::sqrt((p * (1 - p) + z * z / (4 * n)) / n), all = 1 + z * z / n;
+  const double middle = p + z * z / (2 * n), half = z * std::sqrt((p * (1 - p) + z * z / (4 * n)) / n),
+               all = 1 + z * z / n;
   return {std::max(0.0, (middle - half) / all), std::min(1.0, (middle + half) / all)};
 }
 
@@ -57,7 +58,8 @@ std::string counted(std::uint64_t part, std::uint64_t whole) {
 template <class Line>
 void for_each_dial(const StabilityResult& result, Line line) {
   for (std::size_t s = 0; s < result.plan.subjects.size(); ++s)
-    for (std::size_t d = 0; d < result.plan.dials.size(); ++d) line(result.plan.subjects[s], result.plan.dials[d], result.cells[s][d]);
+    for (std::size_t d = 0; d < result.plan.dials.size(); ++d)
+      line(result.plan.subjects[s], result.plan.dials[d], result.cells[s][d]);
 }
 
 }  // namespace
@@ -108,8 +110,8 @@ std::string symmetries_csv(const StabilityResult& result) {
   std::string out = "tracer,precision,inputs,symmetry,asked,changed\n";
   for (std::size_t s = 0; s < result.plan.subjects.size(); ++s)
     for (std::size_t i = 0; i < symmetry_names.size(); ++i)
-      out += fmt::format("{},{},{},{}\n", who(result.plan.subjects[s]), symmetry_names[i], result.symmetries[s][i].asked,
-                         result.symmetries[s][i].changed);
+      out += fmt::format("{},{},{},{}\n", who(result.plan.subjects[s]), symmetry_names[i],
+                         result.symmetries[s][i].asked, result.symmetries[s][i].changed);
   return out;
 }
 
@@ -117,7 +119,8 @@ std::string builds_csv(const StabilityResult& result) {
   std::string out = "tracer,variant,precision,inputs,asked,differ\n";
   for (const BuildCount& b : result.builds) {
     const Subject& base = result.plan.subjects[b.base];
-    out += fmt::format("{},{},{},{}\n", csv_field(base.tracer->info().name), who(result.plan.subjects[b.variant]), b.asked, b.differ);
+    out += fmt::format("{},{},{},{}\n", csv_field(base.tracer->info().name), who(result.plan.subjects[b.variant]),
+                       b.asked, b.differ);
   }
   return out;
 }

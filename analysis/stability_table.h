@@ -7,10 +7,10 @@
 
 namespace plumbline {
 
-/// A line for each subject, dial and setting. tracer, precision (of the tracer), inputs, dial, setting, cases, hits; then
-/// false_misses, false_hits, each with _low and _high, the ends of its 95 % confidence interval as shares of the cases that
-/// could be so (Wilson's score interval); unspecified, faults, not_finite; then _count, _median, _p99, _worst of
-/// severity, nominal_severity, t, u, v, point, residual, start, forward, backward, condition.
+/// A line for each subject, dial and setting. tracer, precision (of the tracer), inputs, dial, setting, cases, hits;
+/// then false_misses, false_hits, each with _low and _high, the ends of its 95 % confidence interval as shares of the
+/// cases that could be so (Wilson's score interval); unspecified, faults, not_finite; then _count, _median, _p99,
+/// _worst of severity, nominal_severity, t, u, v, point, residual, start, forward, backward, condition.
 std::string cells_csv(const StabilityResult& result);
 
 /// A line for each subject and dial: tracer, precision, inputs, dial, stable (0 or 1), leaves_at (empty where stable),

@@ -46,8 +46,11 @@ std::vector<const Tracer*> tracers_of(const Options& options) {
 
 StabilityPlan stability_plan(const Options& options, const std::vector<const Tracer*>& tracers) {
   if (options.cases == 0) throw InputError("--cases 0: no case to measure on; give a count of 1 or more");
-  StabilityPlan plan{.subjects = subjects_of(tracers), .dials = {}, .cases = options.cases.value_or(options.quick ? 100 : 1000),
-                     .seed = options.seed, .jobs = options.jobs};
+  StabilityPlan plan{.subjects = subjects_of(tracers),
+                     .dials = {},
+                     .cases = options.cases.value_or(options.quick ? 100 : 1000),
+                     .seed = options.seed,
+                     .jobs = options.jobs};
   for (const std::string& dial : options.dials) plan.dials.push_back(*from_name<Dial>(dial_names, dial));
   if (options.dials.empty())
     for (std::size_t i = 0; i < dial_names.size(); ++i) plan.dials.push_back(static_cast<Dial>(i));
@@ -144,8 +147,8 @@ void run(const Options& options) {
   fs::create_directories(options.directory, error);
   if (!fs::is_directory(options.directory))
     throw InputError(fmt::format("{}: can't be made a folder: {}; name another", options.directory, error.message()));
-  const std::array names = {"/cells.csv", "/verdicts.csv", "/symmetries.csv", "/builds.csv", "/conditions.csv",
-                            "/speed.csv", "/tracers.csv",  "/run.json"};
+  const std::array names = {"/cells.csv",      "/verdicts.csv", "/symmetries.csv", "/builds.csv",
+                            "/conditions.csv", "/speed.csv",    "/tracers.csv",    "/run.json"};
   std::deque<Output> files;  // opened before the work: better told now than in ten minutes
   for (const char* file : names) files.emplace_back(options.directory + file);
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interrupted = true; });
@@ -155,9 +158,9 @@ void run(const Options& options) {
   const StabilityResult result =
       measure_stability(stability, interrupted, terminal ? show_stability : StabilityProgress());
   if (terminal) fmt::print(stderr, "\r\x1b[K");
-  const std::array texts = {cells_csv(result),         verdicts_csv(result),         symmetries_csv(result),
-                            builds_csv(result),        conditions_csv(result),       speed_csv(tracers, speeds),
-                            tracers_csv(tracers),      run_json(options, stability, speed)};
+  const std::array texts = {
+      cells_csv(result),      verdicts_csv(result),       symmetries_csv(result), builds_csv(result),
+      conditions_csv(result), speed_csv(tracers, speeds), tracers_csv(tracers),   run_json(options, stability, speed)};
   for (std::size_t i = 0; i < files.size(); ++i) {
     files[i].write(texts[i]);
     files[i].finish();
@@ -176,8 +179,12 @@ void run(const Options& options) {
 void add_bench_tracers(CLI::App& bench) {
   auto options = std::make_shared<Options>();
   Options& o = *options;
-  CLI::App* verb = bench.add_subcommand("tracers", "Speed against error, and numerical stability on hard cases: a page");
-  verb->add_option("--tracer", o.tracers, "Who is measured; repeatable (default: all)")->type_name("NAME")->expected(1)->take_all();
+  CLI::App* verb =
+      bench.add_subcommand("tracers", "Speed against error, and numerical stability on hard cases: a page");
+  verb->add_option("--tracer", o.tracers, "Who is measured; repeatable (default: all)")
+      ->type_name("NAME")
+      ->expected(1)
+      ->take_all();
   verb->add_option("--dial", o.dials, "Family; repeatable (default: all)")
       ->check(CLI::IsMember(std::vector<std::string>(dial_names.begin(), dial_names.end())))
       ->type_name("NAME");
@@ -189,10 +196,13 @@ void add_bench_tracers(CLI::App& bench) {
       ->check(CLI::Range(1u, 1024u))
       ->type_name("N");
   verb->add_flag("--quick", o.quick, "Few cases, short repetitions");
-  verb->add_option("-o,--output", o.directory, "Folder for the page, its figures and tables")->required()->type_name("DIR");
+  verb->add_option("-o,--output", o.directory, "Folder for the page, its figures and tables")
+      ->required()
+      ->type_name("DIR");
   add_tracer_timeout(*verb, o.foreign);
   verb->footer(
-      "In DIR: index.html, the page; figures as PNG and SVG; what they are drawn from as CSV; run.json, how it was made.\n"
+      "In DIR: index.html, the page; figures as PNG and SVG; what they are drawn from as CSV; run.json, how it was "
+      "made.\n"
       "Families have a dial each, from easy to as hard as the precision holds: " +
       fmt::format("{}", fmt::join(dial_names, ", ")) +
       ".\n"

@@ -26,7 +26,8 @@ std::vector<Ray> draw_rays(Meets meets, std::size_t count, std::uint64_t seed) {
   while (rays.size() < count) {
     const double px = between(0, 1), py = between(0, 1), pz = between(0, 0.25);
     const double ox = between(-1, 2), oy = between(-1, 2), oz = between(1, 4);
-    const Ray ray = at_precision(Ray{.origin = {ox, oy, oz}, .direction = {px - ox, py - oy, pz - oz}}, Precision::binary32);
+    const Ray ray =
+        at_precision(Ray{.origin = {ox, oy, oz}, .direction = {px - ox, py - oy, pz - oz}}, Precision::binary32);
     const bool hit = crosses(classify(target, ray));
     if ((meets == Meets::all && !hit) || (meets == Meets::none && hit)) continue;
     const bool enough = meets == Meets::half && (hit ? 2 * hits >= count : 2 * (rays.size() - hits) >= count);
@@ -40,10 +41,14 @@ std::vector<Ray> draw_rays(Meets meets, std::size_t count, std::uint64_t seed) {
 std::vector<Ray> rays_of(Shooting way, const SpeedPlan& plan) {
   constexpr std::size_t in_cache = 1024;
   switch (way) {
-    case Shooting::hits: return draw_rays(Meets::all, in_cache, plan.seed);
-    case Shooting::misses: return draw_rays(Meets::none, in_cache, plan.seed);
-    case Shooting::memory: return draw_rays(Meets::half, plan.memory_rays, plan.seed);
-    default: return draw_rays(Meets::half, in_cache, plan.seed);
+    case Shooting::hits:
+      return draw_rays(Meets::all, in_cache, plan.seed);
+    case Shooting::misses:
+      return draw_rays(Meets::none, in_cache, plan.seed);
+    case Shooting::memory:
+      return draw_rays(Meets::half, plan.memory_rays, plan.seed);
+    default:
+      return draw_rays(Meets::half, in_cache, plan.seed);
   }
 }
 
@@ -57,7 +62,8 @@ void shoot(Shooting way, const Tracer& tracer, PreparedBag& prepared, const Bag&
       for (std::size_t i = 0; i < rays.size(); ++i)
         tracer.prepare(bag)->trace(rays.subspan(i, 1), answers.subspan(i, 1));
       break;
-    default: prepared.trace(rays, answers);
+    default:
+      prepared.trace(rays, answers);
   }
 }
 

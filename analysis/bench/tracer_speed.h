@@ -1,6 +1,6 @@
-// What a ray costs each tracer, through the tracers' interface: one triangle, as it is shot at in each of several ways. All
-// tracers are given the same rays, which are binary32 numbers, and are timed in turns (interleaved.h), so that the ratio to
-// the reference is of the same moments.
+// What a ray costs each tracer, through the tracers' interface: one triangle, as it is shot at in each of several ways.
+// All tracers are given the same rays, which are binary32 numbers, and are timed in turns (interleaved.h), so that the
+// ratio to the reference is of the same moments.
 #pragma once
 #include <array>
 #include <atomic>
@@ -22,7 +22,8 @@ enum class Shooting : unsigned char {
   bags,    ///< the mixed rays, each at a bag of its own: what it costs to prepare one
   memory,  ///< mixed rays, too many for any cache
 };
-inline constexpr std::array<std::string_view, 6> shooting_names = {"hits", "misses", "mixed", "single", "bags", "memory"};
+inline constexpr std::array<std::string_view, 6> shooting_names = {"hits",   "misses", "mixed",
+                                                                   "single", "bags",   "memory"};
 constexpr std::string_view name(Shooting s) { return shooting_names[static_cast<unsigned>(s)]; }
 
 struct SpeedPlan {

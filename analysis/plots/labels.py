@@ -8,7 +8,8 @@ from matplotlib.text import Text
 from figure import BLACK
 
 # Where a label may stand, from its point: directions, and how far in points of print.
-WAYS = ((1, 0), (1, 1), (1, -1), (-1, 0), (-1, 1), (-1, -1), (0, 1), (0, -1), (0.5, 1), (-0.5, 1), (0.5, -1), (-0.5, -1))
+WAYS = ((1, 0), (1, 1), (1, -1), (-1, 0), (-1, 1), (-1, -1), (0, 1), (0, -1),
+        (0.5, 1), (-0.5, 1), (0.5, -1), (-0.5, -1))
 FAR = (5, 10, 16, 24, 34, 46, 60)
 SIDES, HEIGHTS = {1: "left", -1: "right"}, {1: "bottom", -1: "top"}  # else centred
 
@@ -62,9 +63,9 @@ def place_labels(axes, labels, obstacles, size=7):
     written, lines = [], []
 
     def cost(i, far, box, line):
-        """As an area: worst is to be unreadable, then to be taken for another's; a long line is like a covered point."""
-        total = 100 * (overlap([box, *line], written) + overlap(box, lines) + outside(box, frame)) + overlap(box, points)
-        total += 5 * overlap(line, lines) + 0.1 * overlap(line, points) + 3 * far * inch
+        """As an area: worst is to be unreadable, then to be taken for another's; a long line is a covered point."""
+        total = 100 * (overlap([box, *line], written) + overlap(box, lines) + outside(box, frame))
+        total += overlap(box, points) + 5 * overlap(line, lines) + 0.1 * overlap(line, points) + 3 * far * inch
         if not line:
             total += sum(100 for other in places[:i] + places[i + 1:] if distance(box, other) < 2 * FAR[0] * inch)
         return total
@@ -74,12 +75,12 @@ def place_labels(axes, labels, obstacles, size=7):
         x, y, text = labels[i]
         px, py = places[i]
         label = axes.annotate(text, (x, y), (0, 0), textcoords="offset points", fontsize=size)
-        extent = text_box(label, renderer)
+        left, bottom, right, top = text_box(label, renderer)
         label.remove()
         best, least = None, math.inf
         for far, way in itertools.product(FAR, WAYS):
             dx, dy = way
-            box = box_at(px + dx * far * inch, py + dy * far * inch, way, (extent[2] - extent[0], extent[3] - extent[1]))
+            box = box_at(px + dx * far * inch, py + dy * far * inch, way, (right - left, top - bottom))
             along = [far * inch * k / 16 for k in range(4, 16)] if far > FAR[0] else []
             line = [dot_at(px + dx * step, py + dy * step, inch) for step in along]
             if (total := cost(i, far, box, line)) < least:

@@ -151,8 +151,8 @@ def closed_edges(bench, precision):
         if missed and name in ("woop_watertight_f32", "woop_watertight_f64"):
             low, high = interval(missed, hits)
             told.append(f"`{name}` isn't closed on a single triangle: of {count(hits, 'ray')} that meet an edge or "
-                        f"vertex of `lattice` exactly it misses {percent(missed / hits)} ({percent(low)} to {percent(high)}). "
-                        "Watertight is a promise about two triangles that share the edge.")
+                        f"vertex of `lattice` exactly it misses {percent(missed / hits)} ({percent(low)} to "
+                        f"{percent(high)}). Watertight is a promise about two triangles that share the edge.")
     closed = [n for n in distinct(c.tracer for c in rows) if n != "exact" and all(
         c.false_misses == 0 and c.unspecified + c.faults == 0 for c in rows if c.tracer == n)]
     if closed:
@@ -197,8 +197,8 @@ def condition(bench):
 
         half, nearly_all = ([n for n in names if excess(n, share) <= bound] for share in ("median", "p99"))
         told.append(f"{precision}: in half of the hits t is within {bound:g} times what the condition number explains, "
-                    f"at every condition number, with {len(half)} of {count(len(names), 'tracer')} that tell t; in 99 of "
-                    "100 hits with " + (f"{len(nearly_all)} ({named(nearly_all)})." if nearly_all else "none."))
+                    f"at every condition number, with {len(half)} of {count(len(names), 'tracer')} that tell t; in 99 "
+                    "of 100 hits with " + (f"{len(nearly_all)} ({named(nearly_all)})." if nearly_all else "none."))
         beyond = sorted((n for n in names if n not in half), key=lambda n: (-excess(n, "median"), n))
         if beyond:
             told.append("Farthest from it in the median: " + listed(

@@ -1,5 +1,5 @@
-"""One HTML page of what `plumbline bench tracers` measured: figures with what is seen in them, the table of tracers, how
-it was measured. It needs nothing beside it: pictures are in the page, there is no script."""
+"""One HTML page of what `plumbline bench tracers` measured: figures with what is seen in them, the table of tracers,
+how it was measured. It needs nothing beside it: pictures are in the page, there is no script."""
 import base64
 import html
 import pathlib
@@ -30,17 +30,17 @@ a { color: #00567f; }
 """
 
 MEANINGS = (
-    "<b>Forward error</b>: how far off an answer is, measured exactly, in units in the last place (ulps) of the largest "
-    "coordinate, at the tracer's precision. Of a right hit: how far its t, u and v lie from where they should. Of a "
-    "wrong decision: how far the ray would have to move for it to be right.",
+    "<b>Forward error</b>: how far off an answer is, measured exactly, in units in the last place (ulps) of the "
+    "largest coordinate, at the tracer's precision. Of a right hit: how far its t, u and v lie from where they should. "
+    "Of a wrong decision: how far the ray would have to move for it to be right.",
     "<b>Sensitivity</b>: how far the right t, u and v move where every coordinate moves by a relative 1. It belongs to "
     "the problem: on grazing rays or slivers it is large for everybody.",
     "<b>Backward error</b>: forward error over sensitivity, so the least relative change of the input that would make "
     "the answer right, in unit roundoffs (2<sup>−24</sup> or 2<sup>−53</sup>). It belongs to the algorithm.",
     "<b>Stable</b> is whose backward error stays within {bound:g} unit roundoffs in 99 of 100 cases, however hard.",
     "<b>p99</b>: 99 of 100 cases are no worse. A family's figure is that of its worst setting.",
-    "binary32 tracers are put binary32 inputs and binary64 tracers full mantissas, unless said otherwise. An ulp of one "
-    "is 2<sup>29</sup> ulps of the other, so the two are never in one panel.",
+    "binary32 tracers are put binary32 inputs and binary64 tracers full mantissas, unless said otherwise. An ulp of "
+    "one is 2<sup>29</sup> ulps of the other, so the two are never in one panel.",
 )
 
 
@@ -63,7 +63,9 @@ def picture(directory, name, alt):
 def section(directory, shown):
     """Title, what is drawn, picture, what is seen."""
     seen = "".join(f"<li>{marked(sentence)}</li>" for sentence in shown.seen)
-    files = [f"{shown.name}.png", f"{shown.name}.svg", *(f"{table}.csv" for table in shown.tables)] if shown.drawn else []
+    files = []
+    if shown.drawn:
+        files = [f"{shown.name}.png", f"{shown.name}.svg", *(f"{table}.csv" for table in shown.tables)]
     return (f'<h2 id="{shown.name}">{html.escape(shown.title)}</h2>\n<p>{marked(shown.what)}</p>\n'
             + (picture(directory, shown.name, shown.title) if shown.drawn else "")
             + (f"<ul>{seen}</ul>\n" if seen else "")
@@ -79,8 +81,8 @@ def table(bench, precision):
     head = "".join(f"<th>{html.escape(column)}</th>" for column in COLUMNS)
     lines = []
     for r in summary(bench, precision):
-        cells = (f"<code>{html.escape(r.tracer)}</code>", TELLS[r.tells], r.beaten_by, number(r.ns, 3), number(r.ratio, 3),
-                 f"{number(100 * r.wrong)} ({number(100 * r.low)} – {number(100 * r.high)})",
+        cells = (f"<code>{html.escape(r.tracer)}</code>", TELLS[r.tells], r.beaten_by, number(r.ns, 3),
+                 number(r.ratio, 3), f"{number(100 * r.wrong)} ({number(100 * r.low)} – {number(100 * r.high)})",
                  "≤ ½" if r.error <= LEAST else number(r.error), number(r.worst), number(r.backward),
                  f"{r.stable} of {r.families}", number(100 * r.open))
         kind = ' class="exact"' if r.tracer == "exact" else ""
@@ -91,8 +93,8 @@ def table(bench, precision):
 def tables(bench):
     seen = "".join(f"<li>{marked(sentence)}</li>" for sentence in findings.table(bench))
     parts = [f"<h3>{precision} tracers</h3>\n{table(bench, precision)}\n" for precision in precisions(bench)]
-    what = ("Sorted by how many others of the same precision are faster and more accurate, or as good in one of these, and "
-            "tell no less: t, u and v, t alone, or hit or miss. Wrong answers are counted over all settings of all "
+    what = ("Sorted by how many others of the same precision are faster and more accurate, or as good in one of these, "
+            "and tell no less: t, u and v, t alone, or hit or miss. Wrong answers are counted over all settings of all "
             "families; error is the geometric mean over families, each held between half an ulp and the largest "
             "coordinate. Left open is what a tracer's contract doesn't promise or what it can't be asked: neither is "
             "counted against it, so who answers little looks better than it is.")
@@ -106,8 +108,8 @@ def head(bench):
         ("made by", f"<code>{html.escape(run.command)}</code>"),
         ("version", f"plumbline {html.escape(run.version)}, {html.escape(run.compiler)}"),
         ("machine", html.escape(run.machine)),
-        ("cases", f"{sum(int(c.cases) for c in bench.cells):,} answers judged exactly: {run.cases:,} seeded random cases "
-                  f"(seed {run.seed}) at each of {settings} settings of {len(dials(bench))} families"),
+        ("cases", f"{sum(int(c.cases) for c in bench.cells):,} answers judged exactly: {run.cases:,} seeded random "
+                  f"cases (seed {run.seed}) at each of {settings} settings of {len(dials(bench))} families"),
         ("tracers", ", ".join(f"{len(tracers(bench, p))} of {p}" for p in precisions(bench))),
         ("times", f"medians of {run.rounds} interleaved repetitions of {1000 * run.slice_seconds:g} ms, one thread"),
     )

@@ -74,7 +74,8 @@ TEST(Stability, OfTheExactTracerIsPerfect) {
 }
 
 TEST(Stability, TheFamiliesAreAimedAsTheySay) {
-  const StabilityResult result = measured(find_tracer("exact"), {Dial::lattice, Dial::parallel, Dial::near_edge, Dial::far});
+  const StabilityResult result =
+      measured(find_tracer("exact"), {Dial::lattice, Dial::parallel, Dial::near_edge, Dial::far});
   const auto& lattice = result.cells[0][0];
   EXPECT_GT(lattice.front().hits, 90u);  // of coordinates of 4 bits some make no triangle
   for (std::size_t i = 1; i < lattice.size(); ++i) EXPECT_EQ(lattice[i].hits, 100u);
@@ -138,9 +139,10 @@ TEST(Stability, AnAbsoluteEpsilonChangesItsMindUnderScaling) {
 }
 
 TEST(Stability, AResultIsTheSameForAnyNumberOfThreads) {
-  StabilityPlan plan{.subjects = subjects_of(find_tracers({"moller_trumbore_f32", "woop_watertight_f64", "woop_watertight_f64_fma"})),
-                     .dials = {Dial::grazing, Dial::lattice},
-                     .cases = 60};
+  StabilityPlan plan{
+      .subjects = subjects_of(find_tracers({"moller_trumbore_f32", "woop_watertight_f64", "woop_watertight_f64_fma"})),
+      .dials = {Dial::grazing, Dial::lattice},
+      .cases = 60};
   const auto all = [](const StabilityResult& r) {
     return cells_csv(r) + verdicts_csv(r) + symmetries_csv(r) + builds_csv(r) + conditions_csv(r) + to_terminal(r);
   };

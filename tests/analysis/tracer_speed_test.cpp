@@ -30,14 +30,15 @@ TEST(TracerSpeed, IsThereForEveryTracerAndWay) {
       EXPECT_GT(ways[way].ns, 0) << shooting_names[way];
       EXPECT_TRUE(ways[way].ratio > 0 && std::isfinite(ways[way].ratio)) << shooting_names[way];
     }
-  EXPECT_EQ(told, (std::vector<Shooting>{Shooting::hits, Shooting::misses, Shooting::mixed, Shooting::single, Shooting::bags,
-                                         Shooting::memory}));
+  EXPECT_EQ(told, (std::vector<Shooting>{Shooting::hits, Shooting::misses, Shooting::mixed, Shooting::single,
+                                         Shooting::bags, Shooting::memory}));
 }
 
 // Notes what it is shot at.
 class Recording final : public Tracer {
  public:
-  Recording() : Tracer({.name = "recording", .summary = "", .source = "", .contract = find_tracer("exact").info().contract}) {}
+  Recording()
+      : Tracer({.name = "recording", .summary = "", .source = "", .contract = find_tracer("exact").info().contract}) {}
   std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override {
     struct Prepared final : PreparedBag {
       Prepared(const Bag& b, std::vector<std::size_t>& c, std::size_t& h)
@@ -86,7 +87,8 @@ TEST(TracerSpeed, TheWaysAreShotAtAsTheySay) {
 TEST(TracerSpeed, StopsWhenItIsToldTo) {
   std::atomic<bool> stop = false;
   std::size_t ways = 0;
-  EXPECT_THROW(tracer_speeds(plan_of({&find_tracer("exact")}), stop, [&](Shooting) { stop = ++ways == 2; }), std::runtime_error);
+  EXPECT_THROW(tracer_speeds(plan_of({&find_tracer("exact")}), stop, [&](Shooting) { stop = ++ways == 2; }),
+               std::runtime_error);
   EXPECT_EQ(ways, 2u);
 }
 

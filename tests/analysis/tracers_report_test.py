@@ -1,5 +1,5 @@
-"""`plumbline bench tracers` as a user meets it: the page and its figures, counts that stay, sentences that come and go with
-the data, trouble told in one line with exit code 2. Argument: the program."""
+"""`plumbline bench tracers` as a user meets it: the page and its figures, counts that stay, sentences that come and go
+with the data, trouble told in one line with exit code 2. Argument: the program."""
 import csv
 import itertools
 import json
@@ -34,12 +34,13 @@ ROWS = {
     "cells": dict(tracer="exact", precision="binary64", inputs="binary64", dial="tiny", setting=0, cases=10, hits=10,
                   false_misses=0, false_hits=0, unspecified=0, faults=0, t_count=5, u_count=5, forward_p99=0.25,
                   backward_p99=0.5),
-    "verdicts": dict(tracer="exact", precision="binary64", inputs="binary64", dial="tiny", stable=1, leaves_at="", slope=0,
-                     wrong=0, answers=100, forward_p99=0.25, backward_p99=0.5, backward_worst=0.75),
+    "verdicts": dict(tracer="exact", precision="binary64", inputs="binary64", dial="tiny", stable=1, leaves_at="",
+                     slope=0, wrong=0, answers=100, forward_p99=0.25, backward_p99=0.5, backward_worst=0.75),
     "symmetries": dict(tracer="exact", precision="binary64", inputs="binary64", symmetry="scale", asked=10, changed=0),
-    "builds": dict(tracer="embree_robust", variant="embree_robust_sse2", precision="binary32", inputs="binary32", asked=100,
-                   differ=0),
-    "conditions": dict(tracer="exact", precision="binary64", inputs="binary64", log2_condition=1, count=50, median=0.5, p99=1),
+    "builds": dict(tracer="embree_robust", variant="embree_robust_sse2", precision="binary32", inputs="binary32",
+                   asked=100, differ=0),
+    "conditions": dict(tracer="exact", precision="binary64", inputs="binary64", log2_condition=1, count=50,
+                       median=0.5, p99=1),
     "speed": dict(tracer="exact", way="mixed", ns=50, ratio=10, clock="processor"),
     "tracers": dict(tracer="exact", precision="binary64", package="", summary="the control"),
 }
@@ -52,12 +53,14 @@ def plumbline(*arguments):
 
 
 def bench(folder, *more):
-    named = [word for name in TRACERS for word in ("--tracer", name)] + [word for name in DIALS for word in ("--dial", name)]
+    named = [word for option, names in (("--tracer", TRACERS), ("--dial", DIALS)) for name in names
+             for word in (option, name)]
     return plumbline("bench", "tracers", "--quick", "--cases", 20, *named, "-o", folder, *more)
 
 
 def draw(folder):
-    return subprocess.run(["/usr/bin/python3", "-B", PLOTS / "tracers_report.py", folder], capture_output=True, text=True)
+    command = ["/usr/bin/python3", "-B", PLOTS / "tracers_report.py", folder]
+    return subprocess.run(command, capture_output=True, text=True)
 
 
 def write(folder, **tables):
@@ -135,8 +138,8 @@ class HandMade(Scratch):
         def told(missed):
             return self.told(findings.forward, "binary64", cells=[
                 {"tracer": "woop_watertight_f64", "dial": "lattice", "hits": 100, "false_misses": missed}])
-        self.assertIn("`woop_watertight_f64` isn't closed on a single triangle: of 100 rays that meet an edge or vertex of "
-                      "`lattice` exactly it misses 25 % (18 % to 34 %)", told(25))
+        self.assertIn("`woop_watertight_f64` isn't closed on a single triangle: of 100 rays that meet an edge or vertex "
+                      "of `lattice` exactly it misses 25 % (18 % to 34 %)", told(25))
         self.assertNotIn("isn't closed", told(0))
         self.assertIn("no ray of `lattice` is missed by `woop_watertight_f64`", told(0))
 
@@ -150,10 +153,11 @@ class HandMade(Scratch):
         self.assertNotIn("epsilon", told((0, 0), (100, 9)))
 
     def test_embree_by_instruction_set(self):
-        self.assertIn("Embree's answers depend on the instruction set it is run with: `embree_robust` and `sse2` differ in 5 %.",
-                      self.told(findings.builds, builds=[{"differ": 5}]))
+        self.assertIn("Embree's answers depend on the instruction set it is run with: `embree_robust` and `sse2` differ "
+                      "in 5 %.", self.told(findings.builds, builds=[{"differ": 5}]))
         self.assertEqual(self.told(findings.builds), "Without any effect: `sse2`.")
-        self.assertNotIn("Embree", self.told(findings.builds, builds=[{"tracer": "my", "variant": "my_sse2", "differ": 5}]))
+        other = [{"tracer": "my", "variant": "my_sse2", "differ": 5}]
+        self.assertNotIn("Embree", self.told(findings.builds, builds=other))
         self.assertIn("No tracer here is another build", self.told(findings.builds, builds=[]))
 
     def test_doubles_look_good_on_binary32_inputs(self):
@@ -161,8 +165,8 @@ class HandMade(Scratch):
             return self.told(findings.inputs, verdicts=[
                 {"inputs": "binary32", "wrong": on_single, "answers": 1000, "dial": dial},
                 {"inputs": "binary64", "wrong": on_double, "answers": 1000, "dial": dial}])
-        self.assertIn("On binary32 inputs 1 of 1 binary64 tracer is wrong in less than 1 % of the answers, 1 of them never.",
-                      told(0, 90))
+        self.assertIn("On binary32 inputs 1 of 1 binary64 tracer is wrong in less than 1 % of the answers, 1 of them "
+                      "never.", told(0, 90))
         self.assertIn("wrong on them are `exact` (9 % against 0.2 %)", told(2, 90))
         self.assertNotIn("Full mantissas", told(2, 10))
         self.assertNotIn("less than 1 %", told(10, 90))
@@ -176,7 +180,8 @@ class HandMade(Scratch):
         self.assertIn("1 tracer of 1 is slower than `exact` and wrong: `mine`.", told)
         rows["speed"][1]["ns"] = 40
         self.assertNotIn("slower than `exact`", self.told(findings.pareto, **rows))
-        self.assertNotIn("Zero costs", self.told(findings.pareto, verdicts=[{"tracer": "mine"}], speed=[{"tracer": "mine"}]))
+        alone = [{"tracer": "mine"}]
+        self.assertNotIn("Zero costs", self.told(findings.pareto, verdicts=alone, speed=alone))
 
     def test_stability(self):
         told = self.told(findings.backward, "binary64", verdicts=[
@@ -190,13 +195,14 @@ class HandMade(Scratch):
 
     def test_who_is_beaten(self):
         verdicts, cells, speed = [], [], []
-        for name, ns, error, uv in (("fast", 5, 1024, 1), ("slow", 9, 1024, 1), ("exact", 50, 0.25, 1), ("as_good", 60, 0.125, 1),
-                                    ("quiet", 20, 1, 0), ("nan", 4, INF, 1)):
+        for name, ns, error, uv in (("fast", 5, 1024, 1), ("slow", 9, 1024, 1), ("exact", 50, 0.25, 1),
+                                    ("as_good", 60, 0.125, 1), ("quiet", 20, 1, 0), ("nan", 4, INF, 1)):
             verdicts.append({"tracer": name, "forward_p99": error})
             cells.append({"tracer": name, "u_count": uv})
             speed.append({"tracer": name, "ns": ns})
         made = self.read(verdicts=verdicts, cells=cells, speed=speed)
-        self.assertEqual([p.tracer for p in data.unbeaten(data.points(made, "binary64"))], ["nan", "fast", "quiet", "exact"])
+        best = data.unbeaten(data.points(made, "binary64"))
+        self.assertEqual([p.tracer for p in best], ["nan", "fast", "quiet", "exact"])
         rows = data.summary(made, "binary64")
         self.assertEqual([(r.tracer, r.beaten_by) for r in rows],
                          [("exact", 0), ("quiet", 0), ("fast", 0), ("nan", 0), ("as_good", 1), ("slow", 1)])
@@ -287,7 +293,8 @@ class Trouble(Scratch):
     def test_of_the_verb_leaves_nothing(self):
         self.assert_not_begun(bench(self.folder, "--tracer", "nobody"), "nobody")
         self.assert_not_begun(bench(self.folder, "--dial", "nothing"), "nothing")
-        self.assert_not_begun(plumbline("bench", "tracers", "--tracer", "exact", "--cases", 0, "-o", self.folder), "no case")
+        none = plumbline("bench", "tracers", "--tracer", "exact", "--cases", 0, "-o", self.folder)
+        self.assert_not_begun(none, "no case")
         self.assert_not_begun(plumbline("bench", "tracers", "--quick"), "-o")
         blocked = self.folder.parent / "file"
         blocked.write_text("mine")
@@ -296,8 +303,8 @@ class Trouble(Scratch):
         self.assertEqual(blocked.read_text(), "mine")
 
     def test_an_interrupted_run_leaves_no_part(self):
-        started = subprocess.Popen([PROGRAM, "bench", "tracers", "--tracer", "exact", "--cases", "1000000", "--quick", "-o",
-                                    self.folder], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        command = [PROGRAM, "bench", "tracers", "--tracer", "exact", "--cases", "1000000", "--quick", "-o", self.folder]
+        started = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         while not list(self.folder.glob("run.json.*")) and started.poll() is None:
             time.sleep(0.05)
         os.kill(started.pid, signal.SIGINT)
