@@ -217,15 +217,30 @@ def verdicts(bench, precision):
         told.append(f"Outside their bound already where a dial is at its easiest, of {len(tracers(bench, precision))}: "
                     + listed([f"`{n}` ({families(times[n])})" for n in sorted(times, key=lambda n: -times[n])], 7)
                     + ".")
+    single = computes_in_binary32(bench) if precision == "binary64" else []
+    if single:
+        told.append(f"Even there off by about 2^29 unit roundoffs, so much as binary32 is coarser: {named(single)}.")
     return told
+
+
+def computes_in_binary32(bench):
+    """Those of binary64 whose backward error, where a dial is at its easiest and no decision wrong, is about the 2^29 that
+    lie between the precisions."""
+    first, losses = {}, {}
+    for c in own(bench.cells, "binary64"):
+        first[c.dial] = min(c.setting, first.get(c.dial, c.setting))
+    for c in own(bench.cells, "binary64"):
+        if c.setting == first[c.dial] and c.hits and not c.false_misses + c.false_hits:
+            losses.setdefault(c.tracer, []).append(c.backward_p99)
+    return [n for n, loss in losses.items() if all(2 ** 26 <= x <= 2 ** 31 for x in loss)]
 
 
 def absolute_epsilons(bench):
     """Where scaled points are missed though no product under- or overflows there, and unscaled they are hit: a length
     is built in."""
-    missed = {}
+    missed, single = {}, computes_in_binary32(bench)  # where binary32 ends, the latter have underflow
     for row in own(bench.cells):
-        if row.dial in ("tiny", "huge") and row.hits and FACTORS * row.setting <= EXPONENTS[row.precision]:
+        if row.dial in ("tiny", "huge") and row.hits and row.tracer not in single and FACTORS * row.setting <= EXPONENTS[row.precision]:
             missed.setdefault((row.tracer, row.dial), {})[row.setting] = row.false_misses / row.hits
     found = []
     for (tracer, dial), shares in missed.items():

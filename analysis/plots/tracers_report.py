@@ -34,29 +34,29 @@ def plan(bench):
     return [
         *one("pareto", "Speed against error", ("verdicts", "speed"),
              "Each point is a tracer: down is more accurate, left is faster. Blue are those that no other beats in "
-             "both that tells no less: who reports no u and v can't be wrong in them. The line joins those that tell t, "
-             "u and v. Errors of half an ulp or less are what rounding costs anyone, and lie on the band at the bottom; "
-             "the upper end is an error as large as the largest coordinate, or more. The dashed line is what `exact` "
+             "both that tells no less: who reports no u and v can't be wrong in them. The line joins those that tell "
+             "t, u and v. Errors of half an ulp or less are what rounding costs anyone, and lie on the band at the "
+             "bottom; the upper end is an error as large as the largest coordinate, or more. The dashed line is what `exact` "
              "takes."),
         *each("pareto_families", "Speed against error, family by family", ("verdicts", "speed"),
               "As above, the error being the 99th percentile at the family's worst setting; the numbers are explained "
               "at the top."),
         *each("forward", "Error over difficulty", ("cells",),
               "Each family has a dial, from easy to as hard as the precision holds; the axes say what it counts. "
-              "Errors are from half an ulp (rounding alone) to as large as the largest coordinate. An edge met exactly and "
-              "missed is wrong by a distance of 0: `lattice` is told of below."),
+              "Errors are from half an ulp (rounding alone) to as large as the largest coordinate. An edge met "
+              "exactly and missed is wrong by a distance of 0: `lattice` is told of below."),
         *each("backward", "Backward error over difficulty", ("cells",),
               f"What the algorithm loses, apart from what the problem does. Above the dashed line, {bound} unit "
               "roundoffs, an algorithm is called unstable."),
         *one("condition", "Error of t against the condition number", ("conditions",),
              "The condition number says by how much the problem enlarges a relative error of its input. What a "
-             f"backward stable algorithm returns lies about the dashed diagonal and below the dotted line, {bound} times it. "
-             f"Medians of {figures.FEWEST} hits or more, of all families.",
+             f"backward stable algorithm returns lies about the dashed diagonal and below the dotted line, {bound} times "
+             f"it. Medians of {figures.FEWEST} hits or more, of all families.",
              any(figures.conditions_of(bench, p) for p in kinds)),
         *each("verdicts", "Where tracers leave their bound", ("verdicts",),
               f"The setting at which the 99th percentile of the backward error first exceeds {bound} unit roundoffs: "
-              "the darker, the earlier on the dial, whose last setting stands below. A dot: never. Hatched: it answered "
-              "nothing."),
+              "the darker, the earlier on the dial, whose last setting stands below. A dot: never. Hatched: it "
+              "answered nothing."),
         *one("inputs", "Doubles on binary32 inputs", ("verdicts",),
              "Tracers of binary64 on numbers that binary32 holds, and on full mantissas, of all families but those "
              f"whose dials go as far as the exponents ({', '.join(figures.AS_FAR_AS_EXPONENTS)}).",

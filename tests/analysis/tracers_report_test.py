@@ -152,6 +152,14 @@ class HandMade(Scratch):
         self.assertNotIn("epsilon", told((0, 1), (100, 10)))  # misses anyway
         self.assertNotIn("epsilon", told((0, 0), (100, 9)))
 
+    def test_who_computes_in_binary32(self):
+        def told(*losses):
+            return self.told(findings.verdicts, "binary64", verdicts=[{"tracer": "mine"}], speed=[{"tracer": "mine"}], cells=[
+                {"tracer": "mine", "setting": 10 * i, "backward_p99": loss} for i, loss in enumerate(losses)])
+        self.assertIn("so much as binary32 is coarser: `mine`.", told(2 ** 29, 1))
+        self.assertEqual(told(100, 2 ** 29), "")
+        self.assertEqual(told(INF), "")
+
     def test_embree_by_instruction_set(self):
         self.assertIn("Embree's answers depend on the instruction set it is run with: `embree_robust` and `sse2` differ "
                       "in 5 %.", self.told(findings.builds, builds=[{"differ": 5}]))
