@@ -203,9 +203,7 @@ void add_bench_tracers(CLI::App& bench) {
   verb->footer(
       "In DIR: index.html, the page; figures as PNG and SVG; what they are drawn from as CSV; run.json, how it was "
       "made.\n"
-      "Families have a dial each, from easy to as hard as the precision holds: " +
-      fmt::format("{}", fmt::join(dial_names, ", ")) +
-      ".\n"
+      "Families have a dial each, from easy to as hard as the precision holds (case/dials.h).\n"
       "Errors are measured exactly and split into what the problem does (sensitivity) and what the algorithm does\n"
       "(backward error, in unit roundoffs). Printed: at which setting each tracer's backward error leaves " +
       fmt::format("{:g}", stable_bound) +

@@ -224,8 +224,8 @@ def verdicts(bench, precision):
 
 
 def computes_in_binary32(bench):
-    """Those of binary64 whose backward error, where a dial is at its easiest and no decision wrong, is about the 2^29 that
-    lie between the precisions."""
+    """Those of binary64 whose backward error, where a dial is at its easiest and no decision wrong, is about the 2^29
+    that lie between the precisions."""
     first, losses = {}, {}
     for c in own(bench.cells, "binary64"):
         first[c.dial] = min(c.setting, first.get(c.dial, c.setting))
@@ -240,7 +240,9 @@ def absolute_epsilons(bench):
     is built in."""
     missed, single = {}, computes_in_binary32(bench)  # where binary32 ends, the latter have underflow
     for row in own(bench.cells):
-        if row.dial in ("tiny", "huge") and row.hits and row.tracer not in single and FACTORS * row.setting <= EXPONENTS[row.precision]:
+        if row.dial not in ("tiny", "huge") or not row.hits or row.tracer in single:
+            continue
+        if FACTORS * row.setting <= EXPONENTS[row.precision]:
             missed.setdefault((row.tracer, row.dial), {})[row.setting] = row.false_misses / row.hits
     found = []
     for (tracer, dial), shares in missed.items():

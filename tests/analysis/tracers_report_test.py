@@ -1,6 +1,8 @@
 """`plumbline bench tracers` as a user meets it: the page and its figures, counts that stay, sentences that come and go
 with the data, trouble told in one line with exit code 2. Argument: the program."""
+import contextlib
 import csv
+import io
 import itertools
 import json
 import os
@@ -13,12 +15,14 @@ import sys
 import tempfile
 import time
 import unittest
+import unittest.mock
 
 PLOTS = pathlib.Path(__file__).resolve().parents[2] / "analysis" / "plots"
 sys.path.insert(0, str(PLOTS))
 import labels  # noqa: E402
 import tracers_data as data  # noqa: E402
 import tracers_findings as findings  # noqa: E402
+import tracers_report  # noqa: E402
 from figure import pyplot  # noqa: E402
 
 PROGRAM = sys.argv.pop()
@@ -52,8 +56,8 @@ def plumbline(*arguments):
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=300)
 
 
-def bench(folder, *more):
-    named = [word for option, names in (("--tracer", TRACERS), ("--dial", DIALS)) for name in names
+def bench(folder, *more, tracers=TRACERS):
+    named = [word for option, names in (("--tracer", tracers), ("--dial", DIALS)) for name in names
              for word in (option, name)]
     return plumbline("bench", "tracers", "--quick", "--cases", 20, *named, "-o", folder, *more)
 
@@ -109,11 +113,14 @@ class Page(unittest.TestCase):
         for fact in ("plumbline bench tracers --seed 1 --quick --cases 20", "(seed 1)", "20 seeded random cases"):
             self.assertIn(fact, page)
 
-    def test_counts_are_the_same_in_every_run(self):
+    def test_counts_are_the_same_in_every_run_and_company(self):
         again = self.folder.parent / "again"
-        self.assertEqual(bench(again, "--jobs", 1).returncode, 0)
+        done = bench(again, "--jobs", 1, tracers=[name for name in TRACERS if "f32" in name])
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
         for name in COUNTED:
-            self.assertEqual((self.folder / f"{name}.csv").read_bytes(), (again / f"{name}.csv").read_bytes(), name)
+            lines = (again / f"{name}.csv").read_text().splitlines()
+            self.assertGreater(len(lines), 1, name)
+            self.assertLessEqual(set(lines), set((self.folder / f"{name}.csv").read_text().splitlines()), name)
 
     def test_the_same_tables_give_the_same_files(self):
         again = self.folder.parent / "redrawn"
@@ -264,9 +271,12 @@ class Labels(unittest.TestCase):
 
 class Trouble(Scratch):
     def assert_refused(self, words):
-        done = draw(self.folder)
-        self.assertEqual((done.returncode, done.stdout), (2, ""))
-        self.assertRegex(done.stderr, rf"\Atracers_report\.py: [^\n]*{words}[^\n]*\n\Z")
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), self.assertRaises(SystemExit) as stopped, \
+                unittest.mock.patch("sys.argv", ["tracers_report.py", str(self.folder)]):
+            tracers_report.main()
+        self.assertEqual((stopped.exception.code, out.getvalue()), (2, ""))
+        self.assertRegex(err.getvalue(), rf"\Atracers_report\.py: [^\n]*{words}[^\n]*\n\Z")
         self.assertFalse((self.folder / "index.html").exists())
 
     def test_of_the_tables_is_one_line(self):
