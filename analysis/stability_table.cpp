@@ -47,7 +47,7 @@ std::array<double, 2> interval(std::uint64_t part, std::uint64_t whole) {
   const double n = static_cast<double>(whole), p = static_cast<double>(part) / n;
   const double middle = p + z * z / (2 * n), half = z * std::sqrt((p * (1 - p) + z * z / (4 * n)) / n),
                all = 1 + z * z / n;
-  return {std::max(0.0, (middle - half) / all), std::min(1.0, (middle + half) / all)};
+  return {part > 0 ? (middle - half) / all : 0, part < whole ? (middle + half) / all : 1};
 }
 
 std::string counted(std::uint64_t part, std::uint64_t whole) {

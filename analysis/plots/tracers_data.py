@@ -145,7 +145,7 @@ def interval(part, whole):
     z, p = 1.959963984540054, part / whole
     middle, scale = p + z * z / (2 * whole), 1 + z * z / whole
     half = z * math.sqrt((p * (1 - p) + z * z / (4 * whole)) / whole)
-    return max(0.0, (middle - half) / scale), min(1.0, (middle + half) / scale)
+    return (middle - half) / scale if part > 0 else 0.0, (middle + half) / scale if part < whole else 1.0
 
 
 def summary(bench, precision):

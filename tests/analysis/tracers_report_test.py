@@ -234,7 +234,10 @@ class HandMade(Scratch):
 
     def test_confidence(self):
         self.assertEqual(data.interval(0, 0), (0, 1))
-        self.assertEqual([round(x, 4) for x in data.interval(0, 100)], [0, 0.0370])
+        for whole in (1, 100, 135200):
+            self.assertEqual(data.interval(0, whole)[0], 0)
+            self.assertEqual(data.interval(whole, whole)[1], 1)
+        self.assertEqual(round(data.interval(0, 100)[1], 4), 0.0370)
         self.assertEqual([round(x, 4) for x in data.interval(5, 10)], [0.2366, 0.7634])
 
     def test_draws_what_little_there_is_whatever_its_name(self):
