@@ -1,26 +1,16 @@
 #include "case/hard_families.h"
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "case/float_bits.h"
-#include "case/random.h"
+#include "case/random_shots.h"
 
 namespace plumbline {
 namespace {
 
-template <class Draw>
-Vec3 vector(Draw draw) {
-  const double x = draw(), y = draw(), z = draw();
-  return {x, y, z};
-}
-
-// Exact for small multiples of one grid.
-Vec3 add(const Vec3& p, const Vec3& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-Vec3 subtract(const Vec3& p, const Vec3& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
-Vec3 scale(double k, const Vec3& p) { return {k * p.x, k * p.y, k * p.z}; }
+using namespace shots;
 
 // Ranges that begin or end at the hit of a ray aimed at t = 1, or beside it.
 void draw_range(Random& random, Ray& ray) {
@@ -52,25 +42,6 @@ Shot lattice_shot(Random& random) {
   return s;
 }
 
-// P is the midpoint of AB (or A itself, one in four), the ray goes from O to P: |coordinates| < 2^bits grid units.
-Shot exact_edge(Random& random, int bits) {
-  const std::int64_t reach = (std::int64_t{1} << (bits - 2)) - 1;
-  const double grid = std::ldexp(1.0, -bits);
-  const auto coordinate = [&] { return static_cast<double>(random.integer(-reach, reach)) * grid; };
-  const Vec3 a = vector(coordinate), p = vector(coordinate), c = vector(coordinate), o = vector(coordinate);
-  const Vec3 b = subtract(add(p, p), a);
-  const std::array<Vec3, 3> corner = {a, b, c};
-  const std::uint64_t turn = random.bits();
-  return {{corner[turn % 3], corner[(turn + 1) % 3], corner[(turn + 2) % 3]}, {o, subtract(random.chance(4) ? a : p, o)}};
-}
-
-std::array<double*, 15> coordinates(Shot& s) {
-  Triangle& t = s.triangle;
-  Ray& r = s.ray;
-  return {&t.a.x, &t.a.y, &t.a.z, &t.b.x, &t.b.y, &t.b.z, &t.c.x, &t.c.y, &t.c.z,
-          &r.origin.x, &r.origin.y, &r.origin.z, &r.direction.x, &r.direction.y, &r.direction.z};
-}
-
 Shot one_ulp_off(Random& random, Shot s) {
   double& moved = *coordinates(s)[random.bits() % 15];
   moved = step_ulps(moved, random.chance(2) ? 1 : -1);
@@ -98,12 +69,6 @@ Shot degenerate(Random& random) {
   if (random.chance(8)) s.ray.direction = vector(small);
   if (random.chance(8)) s.triangle.b = s.triangle.c = a;
   return s;
-}
-
-// In this order: that of a call's arguments is the compiler's choice.
-double spread(Random& random, int binades) {
-  const double significand = random.unit();
-  return std::ldexp(significand, static_cast<int>(random.integer(-binades, binades)));
 }
 
 Shot mixed40(Random& random) {
@@ -136,34 +101,6 @@ Shot full_range(Random& random) {
   return {{vector(any), vector(any), vector(any)}, {vector(any), vector(any)}};
 }
 
-// The weights of b and c in the point that a ray is aimed at.
-struct Target {
-  double u, v;
-};
-
-Target near_inside(Random& random) { return {0.25 + 0.5 * random.unit(), 0.25 + 0.5 * random.unit()}; }
-
-Vec3 point(const Triangle& t, const Target& at) {
-  return add(t.a, add(scale(at.u, subtract(t.b, t.a)), scale(at.v, subtract(t.c, t.a))));
-}
-
-Triangle random_triangle(Random& random) {
-  const auto unit = [&] { return random.unit(); };
-  const Vec3 a = vector(unit), b = vector(unit), c = vector(unit);
-  return {a, b, c};
-}
-
-Ray from_to(const Vec3& origin, const Vec3& target) { return {origin, subtract(target, origin)}; }
-
-Vec3 random_origin(Random& random) {
-  return scale(2, vector([&] { return random.unit(); }));
-}
-
-Shot aimed(Random& random, const Triangle& triangle) {
-  const Target at = near_inside(random);
-  return {triangle, from_to(random_origin(random), point(triangle, at))};
-}
-
 Shot sliver(Random& random) {
   Triangle t = random_triangle(random);
   const Vec3 aside = scale(0x1p-20, t.c);
@@ -184,11 +121,6 @@ Shot grazing(Random& random) {
   const Target at = near_inside(random), from = {4 * random.unit(), 4 * random.unit()};
   const Vec3 above = scale(0x1p-20, vector([&] { return random.unit(); }));
   return {t, from_to(add(point(t, from), above), point(t, at))};
-}
-
-Shot scaled(Shot s, double factor) {
-  for (Vec3* p : {&s.triangle.a, &s.triangle.b, &s.triangle.c, &s.ray.origin}) *p = scale(factor, *p);
-  return s;
 }
 
 Shot edge_ulps(Random& random) {

@@ -215,6 +215,7 @@ void add_bench(CLI::App& app) {
   verb->require_subcommand(1);
   add_oracle(*verb);
   add_interface(*verb);
+  add_bench_tracers(*verb);
   add_fuzz_bench(*verb);
 }
 

@@ -21,6 +21,7 @@ void add_explain(CLI::App& app);
 void add_export(CLI::App& app);
 void add_tracers(CLI::App& app);
 void add_bench(CLI::App& app);
+void add_bench_tracers(CLI::App& bench);
 void add_fuzz(CLI::App& app);
 void add_shrink(CLI::App& app);
 void add_triage(CLI::App& app);

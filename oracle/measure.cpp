@@ -1,7 +1,5 @@
 #include "oracle/measure.h"
 
-#include <limits>
-
 #include "oracle/exact_case.h"
 #include "oracle/integer_case.h"
 #include "oracle/invalid.h"
@@ -57,32 +55,6 @@ std::optional<std::array<Real, 3>> hit_point(const Triangle& triangle, const Que
 
 template std::optional<std::array<float, 3>> hit_point<float>(const Triangle&, const Query&);
 template std::optional<std::array<double, 3>> hit_point<double>(const Triangle&, const Query&);
-
-namespace {
-
-template <class Real>
-double ulp_error(const exact::Quotient& x, Real answered) {
-  using exact::Dyadic;
-  if (!is_finite(answered)) return std::numeric_limits<double>::infinity();
-  const Real nearest = exact::rounded<Real>(x);
-  const int unit = x.numerator.sign() == 0 ? FloatFormat<Real>::min_exponent
-                   : is_finite(nearest)    ? ulp_exponent(nearest)
-                                           : ulp_exponent(std::numeric_limits<Real>::max());
-  const Dyadic off = exact::abs(Dyadic(static_cast<double>(answered)) * x.denominator - x.numerator);
-  return exact::rounded<double>({off, x.denominator * Dyadic(1, unit)});
-}
-
-}  // namespace
-
-template <class Real>
-std::optional<Coordinates<double>> ulp_errors(const Triangle& triangle, const Query& query, const Coordinates<Real>& answered) {
-  const auto x = crossing(triangle, query);
-  if (!x) return std::nullopt;
-  return Coordinates<double>{ulp_error(x->t(), answered.t), ulp_error(x->u(), answered.u), ulp_error(x->v(), answered.v)};
-}
-
-template std::optional<Coordinates<double>> ulp_errors<float>(const Triangle&, const Query&, const Coordinates<float>&);
-template std::optional<Coordinates<double>> ulp_errors<double>(const Triangle&, const Query&, const Coordinates<double>&);
 
 std::optional<std::string> exact_t(const Triangle& triangle, const Query& query) {
   const auto x = crossing(triangle, query);

@@ -24,12 +24,6 @@ std::optional<Coordinates<Real>> measure(const Triangle& triangle, const Query& 
 template <class Real>
 std::optional<std::array<Real, 3>> hit_point(const Triangle& triangle, const Query& query);
 
-/// By how many units in the last place t, u and v as answered are off, each rounded correctly to binary64: the distance to
-/// the exact value, over the ulp of that value rounded to Real. Where the exact value is 0, the unit is the least normal
-/// number. An answer that is NaN or infinite is infinitely far off. There where measure is.
-template <class Real>
-std::optional<Coordinates<double>> ulp_errors(const Triangle& triangle, const Query& query, const Coordinates<Real>& answered);
-
 /// t as "p/q" in lowest terms, q > 0.
 std::optional<std::string> exact_t(const Triangle& triangle, const Query& query);
 

@@ -2,34 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <thread>
 
+#include "analysis/bench/machine.h"
 #include "analysis/text_table.h"
 #include "case/case_text.h"
 #include "case/json_object.h"
 
 namespace plumbline {
 namespace {
-
-std::string machine() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown processor";
-}
-
-constexpr std::string_view compiler =
-#if defined(__clang__)
-    "clang " __clang_version__
-#else
-    "g++ " __VERSION__
-#endif
-#if defined(__OPTIMIZE__)
-    ", optimised";
-#else
-    ", NOT OPTIMISED: the times mean nothing";
-#endif
 
 std::string case_text(const WorstCase& worst) {
   Case found;
@@ -67,8 +48,8 @@ TextTable table_of(const BenchResult& result) {
 }  // namespace
 
 std::string to_terminal(const BenchResult& result, const std::string& command) {
-  std::string text = fmt::format("machine   {}, {} threads\nisa       {}\ncompiler  {}\ncommand   {}\n\n", machine(),
-                                 std::thread::hardware_concurrency(), name(result.plan.isa), compiler, command);
+  std::string text = fmt::format("machine   {}, {} threads\nisa       {}\ncompiler  {}\ncommand   {}\n\n", processor(),
+                                 std::thread::hardware_concurrency(), name(result.plan.isa), compiler(), command);
   if (!result.rows.empty()) {
     text += to_terminal(table_of(result));
     text += fmt::format(

@@ -14,6 +14,7 @@ namespace plumbline {
 struct Timed {
   std::function<void()> pass;  ///< does all cases once
   std::size_t cases = 0;
+  bool elsewhere = false;  ///< another process does the work: wall-clock time, which other programs do add to
 };
 
 /// Nanoseconds per case, [method][round]. A slice is at least one pass.

@@ -10,14 +10,10 @@ import argparse
 
 from matplotlib import ticker
 
-from figure import BLACK, distinct, fail, offset_of, pyplot, read_csv, save
+from figure import BLACK, LINES, distinct, fail, offset_of, pyplot, read_csv, save
 
 COLUMNS = ("tracer", "offset_x", "offset_y", "offset_z", "standoff", "target", "attempts", "successes")
 REPORT_STANDOFF, REPORT_RATE = 5, 100 * 1710 / 2016
-
-# Colours after Okabe and Ito; markers and dashes for grey.
-LINES = (("#000000", "o", "-"), ("#d55e00", "s", "--"), ("#0072b2", "^", "-."), ("#009e73", "D", ":"),
-         ("#cc79a7", "v", "-"), ("#e69f00", "P", "--"), ("#56b4e9", "X", "-."))
 
 
 def draw(rows):

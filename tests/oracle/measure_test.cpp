@@ -61,33 +61,5 @@ TEST(HitPoint, IsRoundedFromTheFractionNotFromT) {
   EXPECT_FALSE(hit_point<double>(unit, Ray{{0, 0, 1}, {1, 0, 0}}));
 }
 
-TEST(UlpErrors, AreDistancesInUnitsOfTheExactValue) {
-  const Ray third{{0, 0, 1}, {0.25, 0.25, -3}};  // t = 1/3, u = v = 1/12
-  const auto best = *measure<double>(unit, third);
-  const auto errors = *ulp_errors<double>(unit, third, best);
-  EXPECT_EQ(errors.t, 0x1.5555555555555p-2);  // a third of an ulp: 0x1.5555555555555p-2 is (1 - 2^-54) / 3
-  const auto off = *ulp_errors<double>(unit, third, {best.t + 0x1p-52, best.u, -best.v});
-  EXPECT_EQ(off.t, 0x1.d555555555555p+1);  // 4 ulp above, less a third
-  EXPECT_EQ(off.u, errors.u);
-  EXPECT_GT(off.v, 0x1p+50);
-  EXPECT_EQ(ulp_errors<float>(unit, third, {0x1.555556p-2f, 0, 0})->t, 0x1.5555555555555p-2);
-}
-
-TEST(UlpErrors, OfZeroAreInLeastNormals) {
-  const Ray on_plane{{0.25, 0.25, 0}, {0, 0, -1}};
-  EXPECT_EQ(ulp_errors<double>(unit, on_plane, {0x1p-1020, 0.25, 0.25})->t, 4.0);
-  EXPECT_EQ(ulp_errors<float>(unit, on_plane, {0x1p-126f, 0.25f, 0.25f})->t, 1.0);
-  EXPECT_EQ(ulp_errors<double>(unit, on_plane, {-0.0, 0.25, 0.25})->t, 0.0);
-}
-
-TEST(UlpErrors, OfNoNumberAreInfinite) {
-  const Ray ray{{0.25, 0.25, 1}, {0, 0, -1}};
-  constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
-  const auto errors = *ulp_errors<double>(unit, ray, {nan, inf, 0.25});
-  EXPECT_EQ(errors.t, inf);
-  EXPECT_EQ(errors.u, inf);
-  EXPECT_EQ(errors.v, 0.0);
-}
-
 }  // namespace
 }  // namespace plumbline
