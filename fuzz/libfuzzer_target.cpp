@@ -71,6 +71,7 @@ void initialize(int* argc, char*** argv) {
   stop_on_signals();
   // Limits of libFuzzer's own end the process without a word; what was found by then is kept.
   std::atexit(finish);
+  if (worker->over()) leave();  // the seeds were all that it was to run
 }
 
 }  // namespace

@@ -285,7 +285,7 @@ class Finding(PagesTest):
     def test_repros_of_hostile_tracers(self):
         self.open(sample, f"finding-{ROWS + 1}.html")
         self.assertEqual(self.texts("#repro-python-proof"), ["python-proof for <script>alert(1)</script>"])
-        self.assertEqual(len(self.texts("[id^=repro-]")), 11)
+        self.assertEqual(len(self.texts("[id^=repro-]")), 12)
 
 
 class Screens(PagesTest):
