@@ -1,6 +1,7 @@
 #include "analysis/signature.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -15,11 +16,11 @@ bool finite_numbers(const Answer& answer) {
 
 double displaced_by(const Examination& e) { return std::max(e.displacement, e.residual); }
 
-// By more than 2^-10 of the longest edge, whose length in ulps is at most size * 2^digits.
 bool displaced(const Examination& e) {
   if (!e.margins) return false;
-  const bool binary32 = e.precision == Precision::binary32;
-  return displaced_by(e) > e.margins->size * (binary32 ? 0x1p14 : 0x1p43);
+  const Margins& m = *e.margins;
+  const Coordinates<double> limit = leeway(m, e.precision);
+  return e.residual * m.ulp > limit.t * m.t_scale || e.displacement * m.ulp > limit.u * m.u_scale;
 }
 
 std::optional<FindingKind> kind(const Examination& e) {
@@ -131,6 +132,13 @@ std::optional<Signature> signature(const Examination& e, Wish wish) {
   if (s.kind == FindingKind::false_miss) s.element = nearest(e);
   if (s.kind == FindingKind::displaced && e.residual > e.displacement) s.element = Element::plane;
   return s;
+}
+
+Coordinates<double> leeway(const Margins& m, Precision precision) {
+  const bool binary32 = precision == Precision::binary32;
+  const double length = m.size * m.ulp * (binary32 ? 0x1p14 : 0x1p43);  // in ulps the longest edge is size * 2^digits at most
+  const double rounding = std::abs(m.t) * (binary32 ? 0x1p-22 : 0x1p-39);
+  return {std::max(length / m.t_scale, rounding), length / m.u_scale, length / m.v_scale};
 }
 
 double finding_ulps(const Examination& e, const Signature& found) {

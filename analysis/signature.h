@@ -10,6 +10,7 @@
 #include "analysis/examine.h"
 #include "case/case.h"
 #include "float_tracer/rejection.h"
+#include "oracle/measure.h"
 
 namespace plumbline {
 
@@ -55,6 +56,10 @@ struct Signature {
 
 /// No value where there is nothing to find: a right answer with finite numbers that are near the exact ones.
 std::optional<Signature> signature(const Examination& examination, Wish wish = Wish::none);
+
+/// How far t, u and v of a hit may be off without being displaced: as lengths 2^-10 of the longest edge; and t by a few
+/// of its own ulps, which of a small triangle far away may be more than that, or by what margins() may be off itself.
+Coordinates<double> leeway(const Margins& margins, Precision precision);
 
 /// How bad a finding is, in ulps of the largest coordinate: of what is displaced by how much, else severity_ulps().
 double finding_ulps(const Examination& examination, const Signature& found);

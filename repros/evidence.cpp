@@ -43,11 +43,6 @@ Duty with_slack(Duty duty, const Evidence& e) {
   return excused ? Duty::any : Duty::miss;
 }
 
-Coordinates<double> leeway(const Margins& m, Precision precision) {
-  const double length = m.size * m.ulp * (precision == Precision::binary32 ? 0x1p14 : 0x1p43);
-  return {length / m.t_scale, length / m.u_scale, length / m.v_scale};
-}
-
 }  // namespace
 
 Evidence gather(const Case& what, std::string_view tracer, const std::optional<Contract>& otherwise) {

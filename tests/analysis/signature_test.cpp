@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "analysis/tracers.h"
 #include "tests/analysis/fixed_tracer.h"
 
 namespace plumbline {
@@ -233,6 +234,17 @@ TEST(Signature, Words) {
   EXPECT_EQ(to_word(*of({hit_at(nan)}, flat, down(1, 1))), "not-finite-nominal-c0");
   EXPECT_EQ(to_word({FindingKind::false_miss, Element::t_min, Rejection::t, true, Conditioning::grazing, 3, true}),
             "false-miss-t_min-by-t-exactly-grazing-c3-lucky");
+}
+
+// A correctly rounded t of a triangle as small as t's ulp: no one can name the point better.
+TEST(Signature, WhatRoundingOfTCannotHelpIsNotDisplaced) {
+  const Triangle far{{0x1.dc7632eac28e3p+19, 0x1.17e5b9b0e0113p+9, 0x1.d1b9c776ae455p+17},
+                     {0x1.dc7632eac2885p+19, 0x1.17e5b9b0f252dp+9, 0x1.d1b9c776ae299p+17},
+                     {0x1.dc7632eac2817p+19, 0x1.17e5b9b101d5dp+9, 0x1.d1b9c776adfbbp+17}};
+  const Ray ray{{-0x1.575f21527e306p+19, 0x1.a5f218184b904p+19, -0x1.d7a894e3ea316p+19},
+                {0x1.7fdb523d27186p-1, -0x1.8add7444a3a0cp-2, 0x1.1359f7a4aae6p-1}};
+  EXPECT_FALSE(signature(Examiner(find_tracer("exact")).examine(far, ray)));
+  EXPECT_EQ(to_word(*of({hit_at(0x1.1162p+21)}, far, ray)), "displaced-plane-far-c4");
 }
 
 TEST(Signature, KeysAndWordsTellAllApart) {
