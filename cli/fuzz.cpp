@@ -39,7 +39,8 @@ void show(const LaunchStatus& s) {
 }
 
 // What was found, the nominal first, the worst first.
-std::string report(const CampaignPlan& plan, const Summary& summary, const std::string& folder) {
+std::string report(const CampaignPlan& plan, const Summary& summary, const Options& options) {
+  const std::string& folder = options.folder;
   std::vector<Finding> findings;
   Campaign recalled(plan);
   FindingsFolder(folder).recall(input_like(plan), [&](const FuzzInput& input) { recalled.recall(input); });
@@ -63,7 +64,7 @@ std::string report(const CampaignPlan& plan, const Summary& summary, const std::
   if (findings.size() > most) text += fmt::format("and {} more\n", findings.size() - most);
   if (!findings.empty())
     text += fmt::format("\nCases: {0}/findings; why: plumbline explain {0}/findings/{1}.case --tracer {2}\n", folder,
-                        to_word(findings.front().signature), summary.tracer);
+                        to_word(findings.front().signature), options.tracer);
   else
     text += "Nothing found.\n" + (summary.least_margin ? fmt::format("Nominal cases as near as {:.4g} ulps to another answer were answered rightly.\n",
                                                                       *summary.least_margin)
@@ -100,7 +101,7 @@ void run(const Options& options) {
   const Summary summary = launch(launched, stop, terminal ? show : std::function<void(const LaunchStatus&)>());
   if (terminal) fmt::print(stderr, "\r\x1b[K");
   Output output;
-  output.write(report(plan, summary, options.folder));
+  output.write(report(plan, summary, options));
   output.finish();
   if (options.store.empty()) return;
   FindingStore(options.store).tell(SearchRow{

@@ -23,7 +23,13 @@ struct Options {
 
 void run(const Options& options) {
   FindingStore store(options.store);
-  const auto row = store.row(finding_id(options.id));
+  std::optional<FindingRow> row;
+  if (options.id == "worst") {
+    const auto open = store.rows({.only_open = true, .details = false});
+    if (!open.empty()) row = store.row(open.front().id);
+  } else {
+    row = store.row(finding_id(options.id));
+  }
   if (!row)
     throw InputError(
         fmt::format("{0}: no finding {1}; 'plumbline triage {0}' lists them", options.store, options.id));
@@ -32,6 +38,9 @@ void run(const Options& options) {
   if (tracer && tracer->info().name != row->tracer)
     throw InputError(fmt::format("finding {} is of '{}', not of '{}'; name that with --tracer", row->id,
                                  printable(row->tracer), printable(tracer->info().name)));
+  if (!tracer && options.failing)
+    throw InputError(fmt::format("--failing: '{}' is no tracer of this build; say which is to be right, with --tracer",
+                                 printable(row->tracer)));
   if (!tracer)
     fmt::print(stderr,
                "as it was found, not shrunk: '{}' is no tracer of this build; one of yours is asked with --tracer\n",
@@ -42,8 +51,8 @@ void run(const Options& options) {
   else if (what.known.empty())
     fmt::print(stderr,
                "without a line 'known', which is for false misses and hits of tracers whose name is one word\n");
-  const std::string path = put_in_folder(what, file_stem(*row), options.folder);
   if (options.failing) make_ctest_project(options.folder, options.tracer.empty() ? row->tracer : options.tracer);
+  const std::string path = put_in_folder(what, file_stem(*row), options.folder);
   Output output;
   output.write(path + "\n");
   output.finish();
@@ -55,7 +64,7 @@ void add_promote(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("promote", "Make a finding of a store a regression test: a shrunk .case");
   auto options = std::make_shared<Options>();
   add_store(*verb, options->store)->required();
-  verb->add_option("ID", options->id, "Of the finding, as triage lists it")->required();
+  verb->add_option("ID", options->id, "Of the finding, as triage lists it; or worst: the first that it lists")->required();
   verb->add_option("DIR", options->folder, "Where the .case goes; made where there is none")->required();
   verb->add_option("--tracer", options->tracer, "Whose finding it is: needed for a tracer of yours, to shrink it")
       ->type_name("NAME");

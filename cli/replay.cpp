@@ -21,14 +21,16 @@ namespace {
 struct Options {
   std::vector<std::string> paths, tracers;
   std::string junit, sarif, json;
-  bool github = false;
+  bool github = false, no_faults = false;
   ForeignOptions foreign;
 };
 
-std::string to_lines(const ReplaySummary& summary) {
+bool is_new_fault(const ReplayResult& r) { return r.rule == ReplayRule::fault && !r.known; }
+
+std::string to_lines(const ReplaySummary& summary, bool no_faults) {
   std::string out;
   for (const ReplayResult& result : summary.results) {
-    if (!disagrees(result)) continue;
+    if (!disagrees(result) && !(no_faults && is_new_fault(result))) continue;
     const ReplayedCase& at = summary.cases[result.which];
     const std::string whose = result.tracer ? summary.tracers[*result.tracer] + ": " : "";
     out += fmt::format("{}: {}: {}{}\n", at.file, at.id, whose, result.message);
@@ -60,7 +62,7 @@ void summarize(const ReplaySummary& summary) {
   fmt::print(stderr, "{} cases in {} files, {} answers: {} not as the files say, {} known findings, {} faults",
              summary.cases.size(), summary.files, summary.cases.size() * summary.tracers.size(),
              summary.disagreements(), count([](const ReplayResult& r) { return r.known && !r.rule; }),
-             count([](const ReplayResult& r) { return r.rule == ReplayRule::fault && !r.known; }));
+             count(is_new_fault));
   if (summary.skipped_known > 0) fmt::print(stderr, ", {} known findings of tracers not asked", summary.skipped_known);
   fmt::print(stderr, "\n");
   for (const auto& [tracer, lines] : summary.unknown_tracers)
@@ -81,11 +83,11 @@ bool run(const Options& options) {
   json.write([&] { return to_json_lines(summary); });
   if (options.json != "-") {
     Output output;
-    output.write(options.github ? to_github(summary) : to_lines(summary));
+    output.write(options.github ? to_github(summary) : to_lines(summary, options.no_faults));
     output.finish();
   }
   summarize(summary);
-  return summary.disagreements() > 0;
+  return summary.disagreements() > 0 || (options.no_faults && std::ranges::any_of(summary.results, is_new_fault));
 }
 
 }  // namespace
@@ -106,6 +108,7 @@ void add_replay(CLI::App& app, bool& disagreement) {
       ->type_name("FILE");
   verb->add_flag("--github", options->github,
                  "Print annotations for GitHub's workflows in place of the lines for people");
+  verb->add_flag("--no-faults", options->no_faults, "A fault that isn't listed (no answer, a crash) fails as well");
   add_tracer_timeout(*verb, options->foreign);
   verb->footer(
       "The oracle derives what each case expects again, and every tracer is asked and judged. A line is printed for\n"
@@ -117,7 +120,7 @@ void add_replay(CLI::App& app, bool& disagreement) {
       "case\n"
       "of several triangles, no such tracer. A fault that isn't listed is counted and told in the reports, and is "
       "no\n"
-      "disagreement.\n\n"
+      "disagreement but with --no-faults.\n\n"
       "The reports name files from the current folder on. They tell by five rules: false-miss, false-hit, fault,\n"
       "known-now-passes, expectation-differs. Keys of a JSON line:\n"
       "  file, line, id   where the case is\n"

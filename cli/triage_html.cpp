@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 #include "case/input_error.h"
 #include "cli/number_options.h"
@@ -32,7 +33,14 @@ struct Findings {
   std::vector<SearchRow> searches;
 };
 
-bool is_store(const std::string& path) { return fs::exists(path + ".ndjson") && !fs::is_directory(path); }
+// By its journal, or as a database that has lost it.
+bool is_store(const std::string& path) {
+  if (fs::is_directory(path)) return false;
+  constexpr std::string_view magic = "SQLite format 3";
+  std::string begin(magic.size(), '\0');
+  std::ifstream(path, std::ios::binary).read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  return fs::exists(path + ".ndjson") || begin == magic;
+}
 
 // A campaign's folder tells who was searched, and what for.
 Findings read(const std::vector<std::string>& paths) {

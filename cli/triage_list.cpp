@@ -6,11 +6,14 @@
 #include <set>
 
 #include "analysis/text_table.h"
+#include "analysis/tracers.h"
 #include "case/input_error.h"
 #include "case/json_object.h"
+#include "case/printable.h"
 #include "cli/output.h"
 #include "cli/triage.h"
 #include "findings/store.h"
+#include "float_tracer/plugin.h"
 
 namespace plumbline {
 namespace {
@@ -125,19 +128,34 @@ void write_json(const SearchRow& row, std::string& out) {
   json.end_line();
 }
 
+// Of a name that nothing was found of, or that was mistyped, there is no all-clear.
+void require_known(FindingStore& store, const std::vector<SearchRow>& searches, const std::string& tracer,
+                   const std::string& path) {
+  std::set<std::string> known;
+  for (const SearchRow& s : searches) known.insert(s.tracer);
+  for (const FindingRow& row : store.rows({.details = false})) known.insert(row.tracer);
+  if (known.contains(tracer)) return;
+  std::string names;
+  for (const std::string& name : known) names += (names.empty() ? "" : ", ") + cell(name);
+  throw InputError(fmt::format("{}: has nothing of '{}'; it has: {}", path, printable(tracer),
+                               names.empty() ? "nothing yet" : names));
+}
+
 void run(const Options& options) {
   if (options.store.empty()) throw InputError("which store? Give DB, as in 'plumbline triage found.db'");
   FindingStore store(options.store);
-  const std::vector<FindingRow> rows = store.rows(
-      {.only_open = !options.all, .only_new = options.only_new, .tracer = options.tracer, .details = false});
   const std::vector<SearchRow> searches = store.searches();
+  const std::string tracer = names_plugin(options.tracer) ? find_tracer(options.tracer).info().name : options.tracer;
+  if (!tracer.empty()) require_known(store, searches, tracer, options.store);
+  const std::vector<FindingRow> rows =
+      store.rows({.only_open = !options.all, .only_new = options.only_new, .tracer = tracer, .details = false});
   std::string text;
   if (options.json) {
     for (const FindingRow& row : rows) write_json(row, text);
     for (const SearchRow& row : searches)
-      if (options.tracer.empty() || row.tracer == options.tracer) write_json(row, text);
+      if (tracer.empty() || row.tracer == tracer) write_json(row, text);
   } else {
-    text = findings_text(rows, options) + searches_text(searched_by_tracer(searches, options.tracer));
+    text = findings_text(rows, options) + searches_text(searched_by_tracer(searches, tracer));
   }
   Output output;
   output.write(text);

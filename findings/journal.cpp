@@ -67,7 +67,7 @@ Journal::Journal(const std::string& store, Open how) : path_(store + ".ndjson") 
           fmt::format("{}: no such store of findings; 'plumbline fuzz --findings {}' makes one", store, store));
     file_ = open(path_.c_str(), flags | O_CREAT, 0666);
   }
-  if (file_ < 0) throw InputError(fmt::format("{}: can't be opened: {}; name another", path_, std::strerror(errno)));
+  if (file_ < 0) throw InputError(fmt::format("{}: can't be opened for writing: {}; name another, or a copy", path_, std::strerror(errno)));
   try {
     {
       const Lock lock(file_, LOCK_EX);

@@ -102,17 +102,24 @@ std::string put_in_folder(Case what, const std::string& stem, const std::string&
   }
 }
 
-bool make_ctest_project(const std::string& folder, const std::string& tracer) {
+void make_ctest_project(const std::string& folder, const std::string& tracer) {
+  std::error_code error;
+  fs::create_directories(folder, error);
   const std::string told = names_plugin(tracer) ? "${CMAKE_CURRENT_SOURCE_DIR}/" + fs::relative(tracer, folder).string()
                                                 : tracer;
-  return write_new(fs::path(folder) / "CMakeLists.txt",
-                   fmt::format("# cmake -S . -B build && ctest --test-dir build --output-on-failure\n"
-                               "cmake_minimum_required(VERSION 3.25)\n"
-                               "project(regressions LANGUAGES NONE)\n"
-                               "find_package(plumbline REQUIRED)\n"
-                               "enable_testing()\n"
-                               "plumbline_add_corpus(NAME regressions TRACER \"{}\" CASES ${{CMAKE_CURRENT_SOURCE_DIR}})\n",
-                               told));
+  const std::string text =
+      fmt::format("# cmake -S . -B build && ctest --test-dir build --output-on-failure\n"
+                  "# A Plumbline that is not found is named by -DCMAKE_PREFIX_PATH=PREFIX.\n"
+                  "cmake_minimum_required(VERSION 3.25)\n"
+                  "project(regressions LANGUAGES NONE)\n"
+                  "find_package(plumbline REQUIRED)\n"
+                  "enable_testing()\n"
+                  "plumbline_add_corpus(NAME regressions TRACER \"{}\" NO_FAULTS CASES ${{CMAKE_CURRENT_SOURCE_DIR}})\n",
+                  told);
+  const fs::path path = fs::path(folder) / "CMakeLists.txt";
+  if (!write_new(path, text) && content(path) != text)
+    throw InputError(fmt::format("{}: is there, and puts its cases to another tracer, or is not of promote; take another folder",
+                                 path.string()));
 }
 
 }  // namespace plumbline

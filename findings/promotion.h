@@ -22,7 +22,8 @@ std::string file_stem(const FindingRow& row);
 std::string put_in_folder(Case what, const std::string& stem, const std::string& folder);
 
 /// Makes the folder a project of CMake whose tests are its cases, put to the tracer (what --tracer takes; a path is told from
-/// the folder on); false where it has a CMakeLists.txt already. It needs an installed Plumbline (docs/regressions.md).
-bool make_ctest_project(const std::string& folder, const std::string& tracer);
+/// the folder on). It needs an installed Plumbline (docs/regressions.md). Throws InputError where the folder has a
+/// CMakeLists.txt that says something else.
+void make_ctest_project(const std::string& folder, const std::string& tracer);
 
 }  // namespace plumbline

@@ -77,7 +77,7 @@ Worker::Worker(WorkerPlan plan) : plan_(std::move(plan)), before_(earlier(plan_)
   if (!plan_.store.empty()) store_.emplace(plan_.store, Open::existing);
   // The store first: what the folder has is no news to the next process.
   campaign_.on_finding = [this](const Finding& finding) {
-    if (store_) store_->tell(to_found(finding, plan_.campaign));
+    if (store_) store_->tell(to_found(finding, plan_.campaign)), told_[finding.signature.key()] = finding.ulps;
     if (findings_) written_ &= findings_->tell(finding, plan_.campaign);
   };
   start_ = Clock::now();
@@ -122,7 +122,12 @@ void Worker::finish() {
     all.rises = rises_;
     written &= write_summary(plan_.summary, all);
   }
-  if (store_) store_->finish();
+  if (store_) {  // what grew by less than twice since it was told
+    for (const auto& [key, finding] : campaign_.findings())
+      if (const auto told = told_.find(key); told != told_.end() && finding.ulps > told->second)
+        store_->tell(to_found(finding, plan_.campaign));
+    store_->finish();
+  }
   if (!written)
     throw InputError(fmt::format("{}: not everything could be written; make room and go on with the same command",
                                  (plan_.folder.empty() ? plan_.elites : plan_.folder).string()));

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "findings/teller.h"
@@ -61,6 +62,7 @@ class Worker {
   std::optional<ElitesFolder> elites_;
   std::optional<FindingsFolder> findings_;
   std::optional<Teller> store_;
+  std::unordered_map<std::uint32_t, double> told_;  // the store, by signature: the severity
   Clock::time_point start_, next_look_;
   bool written_ = true;  // all findings up to now
   std::vector<Summary::Rise> rises_;

@@ -1,12 +1,13 @@
-# plumbline_add_corpus(NAME name TRACER tracer CASES path... [TRACER_TIMEOUT seconds] [LABELS label...])
+# plumbline_add_corpus(NAME name TRACER tracer CASES path... [TRACER_TIMEOUT seconds] [NO_FAULTS]
+#                      [LABELS label...])
 #
 # Registers each .case file as the CTest test name.FILE: it fails as `plumbline replay` does, and its output says by
 # how much which answer is wrong. A tracer is a target, of type MODULE or SHARED, that exports plumbline_tracer(); or
 # whatever --tracer takes, such as "pipe:python3 my_tracer.py". A path is a .case file, or a folder that is searched
 # for them at any depth; relative ones begin at the current source folder, in which the tests run too. New files are
-# seen at the next build.
+# seen at the next build. With NO_FAULTS a test fails also where the tracer gives no answer, or dies.
 function(plumbline_add_corpus)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;TRACER;TRACER_TIMEOUT" "CASES;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "NO_FAULTS" "NAME;TRACER;TRACER_TIMEOUT" "CASES;LABELS")
   foreach(required NAME TRACER CASES)
     if(NOT arg_${required})
       message(FATAL_ERROR "plumbline_add_corpus: ${required} is missing")
@@ -14,15 +15,18 @@ function(plumbline_add_corpus)
   endforeach()
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "plumbline_add_corpus: ${arg_UNPARSED_ARGUMENTS} is too much; there are NAME, TRACER, CASES, "
-                        "TRACER_TIMEOUT and LABELS")
+                        "TRACER_TIMEOUT, NO_FAULTS and LABELS")
   endif()
   set(tracer ${arg_TRACER})
   if(TARGET ${arg_TRACER})
     set(tracer $<TARGET_FILE:${arg_TRACER}>)
   endif()
-  set(timeout)
+  set(options)
   if(arg_TRACER_TIMEOUT)
-    set(timeout --tracer-timeout ${arg_TRACER_TIMEOUT})
+    set(options --tracer-timeout ${arg_TRACER_TIMEOUT})
+  endif()
+  if(arg_NO_FAULTS)
+    list(APPEND options --no-faults)
   endif()
 
   foreach(path ${arg_CASES})
@@ -44,7 +48,7 @@ function(plumbline_add_corpus)
       cmake_path(REMOVE_EXTENSION name LAST_ONLY)
       cmake_path(RELATIVE_PATH file OUTPUT_VARIABLE shown)
       add_test(NAME ${arg_NAME}.${name}
-               COMMAND plumbline::plumbline replay ${shown} --tracer ${tracer} ${timeout}
+               COMMAND plumbline::plumbline replay ${shown} --tracer ${tracer} ${options}
                WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
       set_tests_properties(${arg_NAME}.${name} PROPERTIES LABELS "${arg_LABELS}")
     endforeach()

@@ -2,6 +2,8 @@
 // one process, where a debugger sees it.
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "analysis/tracers.h"
 #include "case/input_error.h"
 #include "float_tracer/plugin.h"
@@ -13,7 +15,7 @@ namespace plumbline {
 namespace {
 
 constexpr std::string_view command =
-    "cc -g repro.c -I FOLDER_OF_PLUMBLINE_TRACER_H -ldl -o repro && ./repro      # TRACER=./other.so ./repro";
+    "cc -g repro.c -I INCLUDE -ldl -o repro && ./repro      # TRACER=./other.so ./repro";
 
 constexpr std::string_view text = R"(@STORY@
 #include <dlfcn.h>
@@ -22,7 +24,7 @@ constexpr std::string_view text = R"(@STORY@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "plumbline_tracer.h"
+#include "plumbline_tracer.h"  // INCLUDE: the folder where it is
 
 static const char* library(void) {
   const char* other = getenv("TRACER");
@@ -32,7 +34,7 @@ static const char* library(void) {
 @CASE@
 @ANSWER@
 static void fail(const char* what) {
-  fprintf(stderr, "%s: %s\n", library(), what);
+  fprintf(stderr, "%s\n", what);
   exit(2);
 }
 
@@ -74,7 +76,7 @@ std::string c_plugin(const Case& what, std::string_view tracer) {
   const std::string_view type = single ? "static const float" : "static const double";
   const bool has_t = e.answer && e.answer->has_t, has_uv = e.answer && e.answer->has_uv;
   return fill(text, {{"STORY", commented(story(e, command), "// ")},
-                     {"LIBRARY", c_string(mine->info().source)},
+                     {"LIBRARY", c_string(std::filesystem::absolute(mine->info().source).lexically_normal().string())},
                      {"REAL", single ? "float" : "double"},
                      {"SIZE", single ? "f32" : "f64"},
                      {"CASE", c_triangle(e, type) + c_ray(e, type) + c_range(e, type)},

@@ -339,5 +339,5 @@ def table(bench):
         told.append(f"{precision}: nobody is both faster and more accurate than {named(unbeaten, 8)}.")
         right = [r.tracer for r in rows if r.wrong == 0]
         if right:
-            told.append(f"Never wrong: {named(right, 8)}.")
+            told.append(f"No wrong decision: {named(right, 8)}.")
     return told

@@ -1,3 +1,4 @@
+#include "float_tracer/plugin.h"
 #include "findings/pages/finding_page.h"
 
 #include <fmt/format.h>
@@ -427,7 +428,9 @@ FindingFiles finding_files(std::span<const FindingRow* const> ranks, std::size_t
     titles.insert(titles.begin(), "simplest case");
     ids.insert(ids.begin(), "simplest");
   }
-  const std::string file = page_name(row.id, "case"), who = shell_word(row.tracer);
+  // One of somebody's own is named by its library.
+  const std::string name = tracer && is_plugin(tracer->info()) ? tracer->info().source : row.tracer;
+  const std::string file = page_name(row.id, "case"), who = shell_word(name);
   FindingFiles files;
   std::string panels, commands, lead;
   for (std::size_t k = 0; k < cases.size(); ++k) {
@@ -435,7 +438,7 @@ FindingFiles finding_files(std::span<const FindingRow* const> ranks, std::size_t
     lead = in_short(row, l);  // the worst comes last
     panels += panel("The " + titles[k], row, *cases[k], l);
     commands += copied(fmt::format("Explain the {}, no file needed", titles[k]), "explain-" + ids[k],
-                       explain_command(l, row.tracer));
+                       explain_command(l, name));
     files.cases += (k > 0 ? "\n" : "") + case_text(row, *cases[k], fmt::format("finding-{}-{}", row.id, ids[k]));
   }
   commands += copied("Ask again", "replay", fmt::format("plumbline replay {} --tracer {}", file, who)) +

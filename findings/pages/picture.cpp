@@ -400,7 +400,7 @@ Picture whole_triangle(const FindingRow& row, const Look& look) {
                            short_number(length(away)));
   }
   caption +=
-      stretch > 1 ? fmt::format(". Drawn {} times as high as it is: it is a sliver.", short_number(stretch)) : ".";
+      stretch > 1 ? fmt::format(". Drawn {} times as high as it is: it is narrow.", short_number(stretch)) : ".";
   return {d.take("The whole triangle in its plane"), caption};
 }
 

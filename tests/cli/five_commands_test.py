@@ -52,18 +52,21 @@ class FiveCommands(unittest.TestCase):
         self.assertIn("shrunk from", text)
         self.assertNotIn("known", text)
         self.run_fine(export)
-        proof = self.run_fine("/usr/bin/python3 repro/proof.py")
+        proof = self.run_fine("/usr/bin/python3 proof/proof.py")
         self.assertIn("wrong", proof)
-        program = f"{COMPILER} -g repro/repro.c -I {self.header} -ldl -o repro/repro"
+        program = f"{COMPILER} -g proof/repro.c -I {self.header} -ldl -o proof/repro"
         self.run_fine(program)
-        done = self.run_command("repro/repro")
+        done = self.run_command("proof/repro")
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("WRONG", done.stdout)
-        self.assertEqual(self.run_command("TRACER=./libnot.so repro/repro").returncode, 2)
+        self.assertEqual(self.run_command("TRACER=./libnot.so proof/repro").returncode, 2)
         done = self.run_command(test)
         self.assertNotEqual(done.returncode, 0)
         self.assertIn(f"regressions.{case.stem}", done.stdout)
         self.assertIn("ulps", done.stdout)
+        done = self.run_command("plumbline promote found.db worst elsewhere --failing")
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
+        self.assertIn("--tracer", done.stderr)
 
 
 if __name__ == "__main__":

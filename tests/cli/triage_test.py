@@ -90,10 +90,13 @@ class Feeding(TriageTest):
                          [(TRACER, 2000, summary["worst_nominal_severity"], summary["least_margin"], summary["signatures"])])
         self.assertGreater(summary["least_margin"], 0)
         lines = [json.loads(line) for line in (self.scratch / "campaign/findings.ndjson").read_text().splitlines()]
-        self.assertEqual(sum(f["count"] for f in findings), len(lines))
+        self.assertGreaterEqual(sum(f["count"] for f in findings), len(lines))  # more: what grew by less than twice
         for f in findings:
             told = [line["severity_ulps"] for line in lines if line["signature"] == f["signature"]]
-            self.assertEqual((f["count"], f["worst_ulps"]), (len(told), max(told)))
+            self.assertIn(f["count"] - len(told), (0, 1))
+            worst = (self.scratch / "campaign/findings" / (f["signature"] + ".case")).read_text()
+            worst = float(re.search(r"^# severity (\S+)", worst, re.M)[1])  # six digits
+            self.assertAlmostEqual(f["worst_ulps"], worst, delta=1e-5 * worst)
             self.assertLessEqual(f["simplest_bits"], f["worst_bits"])
         self.assert_the_same_when_rebuilt()
 
@@ -189,7 +192,7 @@ class Feeding(TriageTest):
         findings, searches = self.rows()
         self.assertEqual([s["executions"] for s in searches], [2000, 2000])
         told = sum(len((self.scratch / seed / "findings.ndjson").read_text().splitlines()) for seed in "12")
-        self.assertEqual(sum(f["count"] for f in findings), told)
+        self.assertGreaterEqual(sum(f["count"] for f in findings), told)
         self.assert_the_same_when_rebuilt()
 
 
@@ -216,7 +219,9 @@ class Triage(TriageTest):
         self.assertEqual(worst, sorted(worst, reverse=True))
         self.assertIn(f"{len(findings)} open findings of 1 tracers, {len(findings)} of them new", table)
         self.assertRegex(searched, rf"{TRACER} +1 +2000 ")
-        self.assertEqual(self.rows("--tracer", "exact"), ([], []))
+        done = plumbline("triage", self.store, "--tracer", "exact")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("has nothing of 'exact'; it has: ", done.stderr)
 
     def test_new(self):
         self.fuzz()
