@@ -218,6 +218,14 @@ class Reports(ReplayTest):
         done = self.run_program("replay", "fine.case", "--tracer", WRONG, "--github")
         self.assertEqual((done.returncode, done.stdout), (0, ""))
 
+    def test_a_fault_fails_where_it_is_said_to(self):
+        self.write("x.case", INVALID % b"y")
+        self.assertEqual(self.replay("x.case", "--tracer", "exact", code=0).stdout, "")
+        done = self.replay("x.case", "--tracer", "exact", "--no-faults", code=1)
+        self.assertRegex(done.stdout, r"^x.case: y: exact: .*fault")
+        self.write("x.case", INVALID % b"y" + b"known exact fault\n")
+        self.replay("x.case", "--tracer", "exact", "--no-faults", code=0)
+
     def test_a_known_fault_that_answers_now(self):
         self.write("x.case", PLAIN % b"x" + b"known exact fault\n" + INVALID % b"y" + b"known exact fault\n")
         done = self.replay("x.case", "--tracer", "exact", code=1)
