@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Records what is known of the tracers that fuzzing services search: for each class of findings (fuzz/alarm.h) the
-worst case that some campaigns come upon, in fuzz/known/TARGET.case.
+worst case that some campaigns, each going on from the others, come upon, in fuzz/known/TARGET.case.
 
     record.py --program FUZZER [--campaigns N] [--runs N] [TARGET...]
 
@@ -22,7 +22,8 @@ HARD = HERE.parents[1] / "corpus" / "hard"
 def campaign(program, target, seed, runs, folder):
     # The name tells the program what to search.
     named = folder / f"fuzz_{target}"
-    named.symlink_to(program)
+    if not named.is_symlink():
+        named.symlink_to(program)
     subprocess.run([named, "--record", f"--campaign={folder}", f"--seed={seed}", f"--runs={runs}", f"--seeds={HARD}"],
                    cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=True, text=True)
 
@@ -39,22 +40,23 @@ def findings(folder):
 
 
 def record(program, target, campaigns, runs):
-    worst = {}
-    for seed in range(1, campaigns + 1):
-        with tempfile.TemporaryDirectory() as folder:
+    # One folder: each campaign goes on from what the others came to, as the programs of a service do from what is known.
+    with tempfile.TemporaryDirectory() as folder:
+        for seed in range(1, campaigns + 1):
             campaign(program, target, seed, runs, pathlib.Path(folder))
-            for name, severity, text in findings(pathlib.Path(folder)):
-                if name not in worst or severity > worst[name][0]:
-                    worst[name] = severity, text
-    head = (f"# The worst of each class of findings of {target} that {campaigns} campaigns of {runs} executions\n"
-            "# came upon: see fuzz/known/README.md.\n")
+        worst = {}
+        for name, severity, text in findings(pathlib.Path(folder)):
+            if name not in worst or severity > worst[name][0]:
+                worst[name] = severity, text
+    head = (f"# The worst of each class of findings of {target} that {campaigns} campaigns of {runs} executions,\n"
+            "# each going on from the others, came upon: see fuzz/known/README.md.\n")
     return head + "".join("\n" + text.strip() + "\n" for _, (_, text) in sorted(worst.items()))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", type=pathlib.Path, required=True)
-    parser.add_argument("--campaigns", type=int, default=6)
+    parser.add_argument("--campaigns", type=int, default=4)
     parser.add_argument("--runs", type=int, default=1_000_000)
     parser.add_argument("targets", nargs="*")
     arguments = parser.parse_args()
