@@ -27,12 +27,16 @@ bool is_word(std::string_view name) {
 
 }  // namespace
 
-void set_finding(Case& found, std::string_view tracer, FindingKind kind) {
-  found.expect = expectation(found.bag.triangles.front(), found.ray);
+void set_known(Case& found, std::string_view tracer, FindingKind kind) {
   found.known.clear();
   if (!is_word(tracer)) return;
   if (kind == FindingKind::false_hit) found.known = {{std::string(tracer), VerdictKind::false_hit}};
   if (kind == FindingKind::false_miss) found.known = {{std::string(tracer), VerdictKind::false_miss}};
+}
+
+void set_finding(Case& found, std::string_view tracer, FindingKind kind) {
+  found.expect = expectation(found.bag.triangles.front(), found.ray);
+  set_known(found, tracer, kind);
 }
 
 std::string severity_text(double ulps, Conditioning conditioning) {

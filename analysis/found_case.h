@@ -8,9 +8,11 @@
 
 namespace plumbline {
 
-/// Sets `expect`, what the oracle says of the one triangle and the ray, and `known`: a line where the finding is a
-/// false miss or false hit and the tracer's name is one word, as .case files have it. No line stands for anything
-/// else.
+/// Sets `known`: a line where the finding is a false miss or false hit and the tracer's name is one word, as .case files
+/// have it. No line stands for anything else.
+void set_known(Case& found, std::string_view tracer, FindingKind kind);
+
+/// The same, and `expect`: what the oracle says of the one triangle and the ray.
 void set_finding(Case& found, std::string_view tracer, FindingKind kind);
 
 /// "severity 12.5 ulps of the largest coordinate, ill-conditioned: far"

@@ -9,20 +9,11 @@
 #include "analysis/signature.h"
 #include "analysis/tracers.h"
 #include "case/case_files.h"
+#include "case/shell_word.h"
 #include "oracle/explain.h"
 
 namespace plumbline {
 namespace {
-
-// As a shell reads it as one word.
-std::string shell_word(std::string_view text) {
-  constexpr std::string_view plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./:,+@%=";
-  if (!text.empty() && text.find_first_not_of(plain) == text.npos) return std::string(text);
-  std::string word = "'";
-  for (const char c : text) c == '\'' ? word += R"('\'')" : word += c;
-  return word + "'";
-}
 
 std::string explain_command(const ReplayedCase& at, const Tracer* tracer) {
   const std::string& file = at.file == "-" ? at.file : at.path;

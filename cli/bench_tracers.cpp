@@ -14,6 +14,7 @@
 #include "analysis/stability_table.h"
 #include "analysis/tracers.h"
 #include "case/enum_names.h"
+#include "case/folder.h"
 #include "case/input_error.h"
 #include "case/json_object.h"
 #include "cli/number_options.h"
@@ -143,10 +144,7 @@ void run(const Options& options) {
   const auto tracers = tracers_of(options);
   const StabilityPlan stability = stability_plan(options, tracers);
   const SpeedPlan speed = speed_plan(options, tracers);
-  std::error_code error;
-  fs::create_directories(options.directory, error);
-  if (!fs::is_directory(options.directory))
-    throw InputError(fmt::format("{}: can't be made a folder: {}; name another", options.directory, error.message()));
+  make_folder(options.directory);
   const std::array names = {"/cells.csv",      "/verdicts.csv", "/symmetries.csv", "/builds.csv",
                             "/conditions.csv", "/speed.csv",    "/tracers.csv",    "/run.json"};
   std::deque<Output> files;  // opened before the work: better told now than in ten minutes

@@ -6,6 +6,7 @@
 #include "analysis/tracers.h"
 #include "case/case_text.h"
 #include "case/enum_names.h"
+#include "case/folder.h"
 #include "case/input_error.h"
 #include "cli/output.h"
 #include "cli/tracer_options.h"
@@ -68,10 +69,7 @@ void run(const Options& options) {
   }
   if (files.size() == 1) return write(options.output, files.front().second);
   if (options.output == "-") throw InputError("several forms: say in which folder they go, with -o DIR");
-  std::error_code error;
-  std::filesystem::create_directories(options.output, error);
-  if (!std::filesystem::is_directory(options.output))
-    throw InputError(fmt::format("{}: can't be made a folder: {}; name another", options.output, error.message()));
+  make_folder(options.output);
   for (const auto& [name, text] : files) write((std::filesystem::path(options.output) / name).string(), text);
 }
 

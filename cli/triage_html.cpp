@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "case/folder.h"
 #include "case/input_error.h"
 #include "cli/number_options.h"
 #include "cli/output.h"
@@ -85,13 +86,6 @@ std::vector<const Tracer*> tracers_of(const Options& options) {
     if (const Tracer& tracer = find_tracer(name, options.foreign); std::ranges::find(all, &tracer) == all.end())
       all.push_back(&tracer);
   return all;
-}
-
-void make_folder(const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (!fs::is_directory(folder))
-    throw InputError(fmt::format("{}: can't be made a folder: {}; name another", folder, error.message()));
 }
 
 std::optional<std::string> repro(const Case& what, ReproForm form, std::string_view tracer) {

@@ -131,10 +131,11 @@ void write_json(const SearchRow& row, std::string& out) {
 // Of a name that nothing was found of, or that was mistyped, there is no all-clear.
 void require_known(FindingStore& store, const std::vector<SearchRow>& searches, const std::string& tracer,
                    const std::string& path) {
+  const auto of_tracer = [&tracer](const SearchRow& s) { return s.tracer == tracer; };
+  if (std::ranges::any_of(searches, of_tracer) || !store.rows({.tracer = tracer, .details = false}).empty()) return;
   std::set<std::string> known;
   for (const SearchRow& s : searches) known.insert(s.tracer);
   for (const FindingRow& row : store.rows({.details = false})) known.insert(row.tracer);
-  if (known.contains(tracer)) return;
   std::string names;
   for (const std::string& name : known) names += (names.empty() ? "" : ", ") + cell(name);
   throw InputError(fmt::format("{}: has nothing of '{}'; it has: {}", path, printable(tracer),

@@ -1,6 +1,5 @@
 #include "findings/case_rows.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,12 +9,13 @@
 #include <utility>
 
 #include "analysis/ask.h"
-#include "case/case_files.h"
 #include "analysis/examine.h"
 #include "analysis/shrink.h"
 #include "analysis/tracers.h"
+#include "case/case_files.h"
 #include "case/case_text.h"
 #include "case/input_error.h"
+#include "findings/utc.h"
 
 namespace plumbline {
 namespace {
@@ -89,9 +89,7 @@ std::string time_of(const std::string& file) {
   const auto written = std::filesystem::last_write_time(file, error);
   if (error) return "";
   const auto utc = std::chrono::file_clock::to_sys(written);
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                     fmt::gmtime(std::chrono::system_clock::to_time_t(
-                         std::chrono::time_point_cast<std::chrono::system_clock::duration>(utc))));
+  return utc_text(std::chrono::time_point_cast<std::chrono::system_clock::duration>(utc));
 }
 
 }  // namespace plumbline

@@ -1,13 +1,11 @@
 #include "findings/event_line.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
-
-#include <chrono>
 
 #include "case/case_json.h"
 #include "case/json_object.h"
 #include "case/printable.h"
+#include "findings/utc.h"
 
 namespace plumbline {
 namespace {
@@ -15,8 +13,7 @@ namespace {
 // The time that the event names, or now: 2026-11-26T01:30:00Z.
 std::string time_of(const std::string& said) {
   if (!said.empty()) return said;
-  const auto now = std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now());
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+  return utc_text(std::chrono::system_clock::now());
 }
 
 class Line {

@@ -14,6 +14,7 @@
 #include "analysis/found_case.h"
 #include "analysis/shrink.h"
 #include "case/case_text.h"
+#include "case/folder.h"
 #include "case/input_error.h"
 #include "case/printable.h"
 #include "float_tracer/plugin.h"
@@ -90,10 +91,7 @@ Case promoted(const FindingRow& row, const Tracer* tracer) {
 std::string file_stem(const FindingRow& row) { return fmt::format("{}-{}", safe(row.tracer), safe(row.signature)); }
 
 std::string put_in_folder(Case what, const std::string& stem, const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (!fs::is_directory(folder))
-    throw InputError(fmt::format("{}: can't be made a folder: {}; name another", folder, error.message()));
+  make_folder(folder);
   for (unsigned n = 1;; ++n) {
     what.id = n == 1 ? stem : fmt::format("{}-{}", stem, n);
     const fs::path path = fs::path(folder) / (what.id + ".case");
@@ -103,8 +101,7 @@ std::string put_in_folder(Case what, const std::string& stem, const std::string&
 }
 
 void make_ctest_project(const std::string& folder, const std::string& tracer) {
-  std::error_code error;
-  fs::create_directories(folder, error);
+  make_folder(folder);
   const std::string told = names_plugin(tracer) ? "${CMAKE_CURRENT_SOURCE_DIR}/" + fs::relative(tracer, folder).string()
                                                 : tracer;
   const std::string text =

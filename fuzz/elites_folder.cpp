@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 
+#include "case/folder.h"
 #include "case/input_error.h"
 
 namespace plumbline {
@@ -57,10 +58,7 @@ std::vector<std::byte> read_file(const fs::path& path, std::size_t size) {
 }  // namespace
 
 ElitesFolder::ElitesFolder(fs::path path) : path_(std::move(path)) {
-  std::error_code error;
-  fs::create_directories(path_, error);
-  if (!fs::is_directory(path_))
-    throw InputError(fmt::format("{}: can't be made a folder: {}; name another", path_.string(), error.message()));
+  make_folder(path_);
 }
 
 void ElitesFolder::note(const Elites& elites) {

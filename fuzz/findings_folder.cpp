@@ -13,6 +13,7 @@
 #include "case/case_files.h"
 #include "case/case_json.h"
 #include "case/case_text.h"
+#include "case/folder.h"
 #include "case/input_error.h"
 #include "case/json_object.h"
 #include "case/printable.h"
@@ -58,10 +59,7 @@ Case to_case(const Finding& finding, const CampaignPlan& plan) {
 }
 
 FindingsFolder::FindingsFolder(fs::path path) : path_(std::move(path)), cases_(path_ / "findings") {
-  std::error_code error;
-  fs::create_directories(cases_, error);
-  if (!fs::is_directory(cases_))
-    throw InputError(fmt::format("{}: can't be made a folder: {}; name another", cases_.string(), error.message()));
+  make_folder(cases_);
 }
 
 bool FindingsFolder::tell(const Finding& finding, const CampaignPlan& plan) const {

@@ -14,6 +14,7 @@
 #include <set>
 #include <thread>
 
+#include "case/folder.h"
 #include "case/input_error.h"
 
 namespace plumbline {
@@ -122,10 +123,8 @@ Summary together(const fs::path& folder) {
 }  // namespace
 
 Summary launch(const LaunchPlan& plan, const std::atomic<bool>& stop, const std::function<void(const LaunchStatus&)>& status) {
-  std::error_code error;
-  fs::create_directories(plan.folder / "jobs", error);
-  if (!fs::is_directory(plan.folder / "jobs"))
-    throw InputError(fmt::format("{}: can't be made a folder: {}; name another", plan.folder.string(), error.message()));
+  make_folder(plan.folder);
+  make_folder(plan.folder / "jobs");
   FindingsTail tail(plan.folder / "findings.ndjson");
   const auto begin = Clock::now();
   std::vector<pid_t> children;

@@ -1,4 +1,3 @@
-#include "float_tracer/plugin.h"
 #include "findings/pages/finding_page.h"
 
 #include <fmt/format.h>
@@ -8,10 +7,13 @@
 #include <bit>
 #include <cmath>
 
+#include "analysis/found_case.h"
+#include "analysis/tracers.h"
 #include "case/case_text.h"
 #include "case/float_bits.h"
 #include "case/input_error.h"
 #include "case/real_text.h"
+#include "case/shell_word.h"
 #include "findings/pages/html.h"
 #include "findings/pages/look.h"
 #include "findings/pages/picture.h"
@@ -321,10 +323,7 @@ std::string case_text(const FindingRow& row, const FoundCase& found, std::string
   for (std::string& line : told.provenance)
     std::ranges::replace_if(
         line, [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  told.known.clear();
-  const bool one_word = row.tracer.find_first_of(" \t\r\n#") == std::string::npos && !row.tracer.empty();
-  if (one_word && row.kind == FindingKind::false_hit) told.known = {{row.tracer, VerdictKind::false_hit}};
-  if (one_word && row.kind == FindingKind::false_miss) told.known = {{row.tracer, VerdictKind::false_miss}};
+  set_known(told, row.tracer, row.kind);
   try {
     return to_text(told);
   } catch (const InputError&) {
@@ -428,8 +427,7 @@ FindingFiles finding_files(std::span<const FindingRow* const> ranks, std::size_t
     titles.insert(titles.begin(), "simplest case");
     ids.insert(ids.begin(), "simplest");
   }
-  // One of somebody's own is named by its library.
-  const std::string name = tracer && is_plugin(tracer->info()) ? tracer->info().source : row.tracer;
+  const std::string name = tracer ? asked_for(*tracer) : row.tracer;
   const std::string file = page_name(row.id, "case"), who = shell_word(name);
   FindingFiles files;
   std::string panels, commands, lead;

@@ -14,9 +14,6 @@ std::string escaped(std::string_view text);
 /// JSON for the contents of a script element: no '<' is left in it that could end the element.
 std::string json_in_html(std::string json);
 
-/// One word for a POSIX shell: as it is, or quoted.
-std::string shell_word(std::string_view text);
-
 /// The template with each {{name}} replaced by its value, once: values aren't looked at again. Every name has to be
 /// there.
 std::string filled(std::string_view page,

@@ -9,6 +9,7 @@
 
 #include "analysis/tracers.h"
 #include "case/case_text.h"
+#include "case/shell_word.h"
 #include "findings/pages/html.h"
 #include "findings/pages/words.h"
 #include "tests/analysis/fixed_tracer.h"
