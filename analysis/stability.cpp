@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <future>
 #include <limits>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
-#include <thread>
 
 #include "analysis/ask.h"
 #include "case/finite.h"
@@ -277,8 +277,9 @@ class Run {
 
   StabilityResult run() {
     {
-      std::vector<std::jthread> threads;
-      for (unsigned i = 0; i < std::max(1u, result_.plan.jobs); ++i) threads.emplace_back([this] { work(); });
+      std::vector<std::future<void>> workers;  // not jthread: libc++ has none
+      for (unsigned i = 0; i < std::max(1u, result_.plan.jobs); ++i)
+        workers.push_back(std::async(std::launch::async, [this] { work(); }));
     }
     if (failed_) std::rethrow_exception(failed_);
     if (stop_) throw std::runtime_error("interrupted: nothing was written; run it again, --quick is faster");
