@@ -1,8 +1,8 @@
 // W binary64 numbers, or 64-bit integers, side by side: the compilers' vector extensions, so that one source serves every
 // instruction set. Comparisons give -1 (true) or 0 per lane, and `mask ? x : y` selects per lane.
 //
-// Included only by the batch kernels (and by bag/box_tree.h, for the baseline), each compiled for another instruction set: everything here has internal linkage, so
-// that no function compiled for a newer processor can be linked into an older one's path.
+// Included only by the batch kernels, each compiled for another instruction set, and bag/box_probe.h: everything here has
+// internal linkage, so that no function compiled for a newer processor can be linked into an older one's path.
 #pragma once
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #error "The oracle's proofs need IEEE 754 operations as written: no -ffast-math, no x87 excess precision."

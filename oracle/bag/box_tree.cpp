@@ -175,20 +175,4 @@ class Builder {
 
 BoxTree BoxTree::build(std::span<const Triangle> triangles) { return Builder(triangles).build(); }
 
-BoxProbe::BoxProbe(const Query& query) {
-  const auto& [ray, tail] = query;
-  origin = {ray.origin.x, ray.origin.y, ray.origin.z};
-  const std::array<double, 3> direction = {ray.direction.x, ray.direction.y, ray.direction.z};
-  const std::array<double, 3> rest = {tail.x, tail.y, tail.z};
-  plain = true;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double size = std::fabs(direction[i]);
-    still[i] = direction[i] == 0 && rest[i] == 0;
-    unusable[i] = !(size > 0x1p-1000 && size < 0x1p+1000);
-    backward[i] = direction[i] < 0;
-    inverse[i] = unusable[i] ? 0 : 1 / direction[i];
-    plain = plain && !unusable[i];
-  }
-}
-
 }  // namespace plumbline

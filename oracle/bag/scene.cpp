@@ -1,10 +1,12 @@
 #include "oracle/bag/scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "case/finite.h"
 #include "case/input_error.h"
+#include "oracle/bag/box_probe.h"
 #include "oracle/bag/gather.h"
 #include "oracle/bag/hit_order.h"
 #include "oracle/classify.h"
@@ -12,6 +14,52 @@
 #include "oracle/invalid.h"
 
 namespace plumbline {
+namespace {
+
+// Leaves by and large in the order in which the line enters them. `to` may come nearer meanwhile.
+template <class Visit>
+[[gnu::always_inline]] inline void visit_leaves(const BoxTree& tree, const Query& query, const double& to, Visit visit) {
+  struct Waiting {
+    std::uint32_t node;
+    double near;
+  };
+  if (tree.nodes.empty()) return;
+  const BoxProbe probe(query);
+  std::array<Waiting, BoxTree::depth> stack;
+  std::size_t waiting = 0;
+  std::uint32_t at = 0;
+  const auto next = [&] {
+    while (waiting > 0) {
+      const Waiting& last = stack[--waiting];
+      // As in enter(): erring on the side of meeting.
+      if (last.near - to > 0x1p-49 * (std::fabs(last.near) + std::fabs(to)) + 0x1p-1022) continue;
+      at = last.node;
+      return true;
+    }
+    return false;
+  };
+  for (;;) {
+    const BoxNode& node = tree.nodes[at];
+    const BoxEntry entry = enter(node, probe, query.ray.t_min, to);
+    std::array<std::uint32_t, 2> inner;
+    std::size_t inner_count = 0;
+    const std::uint32_t first = entry.near[1] < entry.near[0] ? 1 : 0;
+    for (const std::uint32_t k : {first, 1 - first}) {
+      if ((entry.met >> k & 1) == 0) continue;
+      if (node.count[k] == BoxNode::node)
+        inner[inner_count++] = k;
+      else
+        visit(node.child[k], node.count[k]);
+    }
+    if (inner_count == 2) stack[waiting++] = {node.child[inner[1]], entry.near[inner[1]]};
+    if (inner_count > 0)
+      at = node.child[inner[0]];
+    else if (!next())
+      return;
+  }
+}
+
+}  // namespace
 
 Scene::Scene(std::span<const Triangle> triangles) {
   const DefaultControls controls;
@@ -33,55 +81,12 @@ std::size_t Scene::bytes() const {
          triangles_.capacity() * sizeof(Triangle);
 }
 
-// Leaves by and large in the order in which the line enters them. `to` may come nearer meanwhile.
-template <class Visit>
-[[gnu::always_inline]] inline void Scene::visit_boxes(const BoxProbe& probe, double from, const double& to,
-                                                      Visit visit) const {
-  struct Waiting {
-    std::uint32_t node;
-    double near;
-  };
-  if (tree_.nodes.empty()) return;
-  std::array<Waiting, BoxTree::depth> stack;
-  std::size_t waiting = 0;
-  std::uint32_t at = 0;
-  const auto next = [&] {
-    while (waiting > 0) {
-      const Waiting& last = stack[--waiting];
-      // As in enter(): erring on the side of meeting.
-      if (last.near - to > 0x1p-49 * (std::abs(last.near) + std::abs(to)) + 0x1p-1022) continue;
-      at = last.node;
-      return true;
-    }
-    return false;
-  };
-  for (;;) {
-    const BoxNode& node = tree_.nodes[at];
-    const BoxEntry entry = enter(node, probe, from, to);
-    std::array<std::uint32_t, 2> inner;
-    std::size_t inner_count = 0;
-    const std::uint32_t first = entry.near[1] < entry.near[0] ? 1 : 0;
-    for (const std::uint32_t k : {first, 1 - first}) {
-      if ((entry.met >> k & 1) == 0) continue;
-      if (node.count[k] == BoxNode::node)
-        inner[inner_count++] = k;
-      else
-        visit(node.child[k], node.count[k]);
-    }
-    if (inner_count == 2) stack[waiting++] = {node.child[inner[1]], entry.near[inner[1]]};
-    if (inner_count > 0)
-      at = node.child[inner[0]];
-    else if (!next())
-      return;
-  }
-}
-
 BagTruth Scene::truth(const Query& query) const {
   const DefaultControls controls;
   BagTruth truth;
   truth.invalid = why_invalid(Triangle{}, query.ray);
   if (truth.invalid != Invalid::none) return truth;
-  visit_boxes(BoxProbe(query), query.ray.t_min, query.ray.t_max, [&](std::uint32_t begin, std::uint32_t count) {
+  visit_leaves(tree_, query, query.ray.t_max, [&](std::uint32_t begin, std::uint32_t count) {
     for (std::uint32_t k = begin; k < begin + count; ++k) gather(truth, triangles_[k], tree_.order[k], query);
   });
   settle(truth, query, [&](std::uint32_t i) -> const Triangle& { return triangles_[position_[i]]; });
@@ -104,7 +109,7 @@ void Scene::nearest(const Query& query, std::vector<NearestHits::Owner>& owners)
   const std::size_t begin = owners.size();
   RoughT best{0, std::numeric_limits<double>::infinity()};
   double to = query.ray.t_max;
-  visit_boxes(BoxProbe(query), query.ray.t_min, to, [&](std::uint32_t first, std::uint32_t count) {
+  visit_leaves(tree_, query, to, [&](std::uint32_t first, std::uint32_t count) {
     for (std::uint32_t k = first; k < first + count; ++k) {
       const Truth truth = classify(triangles_[k], query);
       if (!crosses(truth)) continue;

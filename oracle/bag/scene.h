@@ -47,8 +47,6 @@ class Scene {
   std::size_t bytes() const;
 
  private:
-  template <class Visit>
-  void visit_boxes(const BoxProbe& probe, double from, const double& to, Visit visit) const;
   void nearest(const Query& query, std::vector<NearestHits::Owner>& owners) const;
 
   BoxTree tree_;
