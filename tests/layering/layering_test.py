@@ -34,7 +34,7 @@ ONLY_IN = {
     r"sqlite3\.h": {"findings"},
     r"CLI/.*": {"cli", "fuzz"},
     r"CGAL/AABB_.*": {"float_tracer/gpl"},
-    r"CGAL/.*": {"float_tracer/adapters", "float_tracer/gpl", "analysis/bench/rivals"},
+    r"CGAL/.*": {"mesh", "float_tracer/adapters", "float_tracer/gpl", "analysis/bench/rivals"},
     r"boost/.*": {"analysis/bench/rivals"},
     r"g(test|mock)/.*": {"install"},
 }
