@@ -39,10 +39,11 @@ class ObjVetter {
   // CGAL takes single blanks between the words of a face.
   void vet(std::size_t begin, std::size_t end) {
     const auto of = [this](std::size_t at) { return bytes_.begin() + static_cast<std::ptrdiff_t>(at); };
-    const std::size_t comment = std::min(bytes_.find('#', begin), end);
+    const std::string_view line = std::string_view(bytes_).substr(begin, end - begin);
+    const std::size_t comment = begin + std::min(line.find('#'), line.size());
     std::fill(of(comment), of(end), ' ');
     std::replace_if(of(begin), of(comment), [](char c) { return mesh_blanks.find(c) != mesh_blanks.npos; }, ' ');
-    split_words(std::string_view(bytes_).substr(begin, comment - begin), words_);
+    split_words(line.substr(0, comment - begin), words_);
     if (words_.empty()) return;
     if (words_.back().ends_with('\\')) fail("a line that goes on in the next is not read; join the two");
     if (words_.front() == "v") return vet_vertex();

@@ -241,7 +241,7 @@ TEST(ReadMesh, HeadersThatPromiseTheWorldCostNothing) {
   EXPECT_EQ(ply_error(replaced("vertex 3", "vertex 18446744073709551615")),
             "m: the header promises 18446744073709551615 items of 'vertex'" + lost + "3" + wrong);
   EXPECT_EQ(ply_error(replaced("face 1", "face 10000000")),
-            "m: the header promises 10000000 items of 'face'" + lost + "1" + wrong);
+            "m: the header promises 10000000 items of 'face'" + lost + "2" + wrong);
   EXPECT_EQ(ply_error(replaced("other 2", "other 18446744073709551615")),
             "m: the header promises 18446744073709551615 items of 'other'" + lost + "2" + wrong);
   EXPECT_THAT(ply_error(replaced("face 1", "face 0")), HasSubstr("bytes are left behind what the header promises"));
