@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
   plumbline::add_triage(app);
   plumbline::add_promote(app);
   plumbline::add_lattice(app);
+  plumbline::add_mesh(app);
   plumbline::add_generate(app);
   plumbline::add_convert(app);
   plumbline::add_classify(app);

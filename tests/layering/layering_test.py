@@ -1,5 +1,5 @@
 """Who may include whom: case -> oracle | float_tracer -> analysis -> repros -> findings -> fuzz -> cli, one way only. The
-oracle and the tracers share no arithmetic, so neither includes the other."""
+oracle and the tracers share no arithmetic, so neither includes the other; meshes see the oracle, and no tracer."""
 import pathlib
 import re
 import unittest
@@ -8,12 +8,13 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 MAY_INCLUDE = {
     "case": {"case"},
     "oracle": {"case", "oracle"},
+    "mesh": {"case", "oracle", "mesh"},
     "float_tracer": {"case", "float_tracer"},
-    "analysis": {"case", "oracle", "float_tracer", "analysis"},
-    "repros": {"case", "oracle", "float_tracer", "analysis", "repros"},
-    "findings": {"case", "oracle", "float_tracer", "analysis", "repros", "findings"},
-    "fuzz": {"case", "oracle", "float_tracer", "analysis", "repros", "findings", "fuzz"},
-    "cli": {"case", "oracle", "float_tracer", "analysis", "repros", "findings", "fuzz", "cli"},
+    "analysis": {"case", "oracle", "mesh", "float_tracer", "analysis"},
+    "repros": {"case", "oracle", "mesh", "float_tracer", "analysis", "repros"},
+    "findings": {"case", "oracle", "mesh", "float_tracer", "analysis", "repros", "findings"},
+    "fuzz": {"case", "oracle", "mesh", "float_tracer", "analysis", "repros", "findings", "fuzz"},
+    "cli": {"case", "oracle", "mesh", "float_tracer", "analysis", "repros", "findings", "fuzz", "cli"},
     "install": {"case", "oracle"},
 }
 # Libraries that these folders alone may name: what is exact stays in the oracle and in what it is compared with, what
@@ -33,7 +34,7 @@ ONLY_IN = {
     r"sqlite3\.h": {"findings"},
     r"CLI/.*": {"cli", "fuzz"},
     r"CGAL/AABB_.*": {"float_tracer/gpl"},
-    r"CGAL/.*": {"float_tracer/adapters", "float_tracer/gpl", "analysis/bench/rivals"},
+    r"CGAL/.*": {"mesh", "float_tracer/adapters", "float_tracer/gpl", "analysis/bench/rivals"},
     r"boost/.*": {"analysis/bench/rivals"},
     r"g(test|mock)/.*": {"install"},
 }

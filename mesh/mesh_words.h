@@ -1,0 +1,45 @@
+// The words of a line of a text mesh: what stands between blanks. Private to mesh.
+#pragma once
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "case/float_bits.h"
+#include "case/printable.h"
+#include "case/real_text.h"
+
+namespace plumbline {
+
+inline constexpr std::string_view mesh_blanks = " \t\r\v\f";
+
+/// Into `words`, whose storage is used again.
+inline void split_words(std::string_view line, std::vector<std::string_view>& words) {
+  words.clear();
+  std::size_t at = 0;
+  while ((at = line.find_first_not_of(mesh_blanks, at)) != line.npos) {
+    const std::size_t end = std::min(line.find_first_of(mesh_blanks, at), line.size());
+    words.push_back(line.substr(at, end - at));
+    at = end;
+  }
+}
+
+/// A decimal as C++ streams read it: with a '+' or without, and no hexfloat. Beyond binary64 it is infinite.
+inline std::optional<double> parse_decimal(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  if (word.empty() || word.starts_with('+') || word.find_first_of("xX") != word.npos) return std::nullopt;
+  return parse_real(word);
+}
+
+/// A word of a file as messages show it.
+inline std::string quoted(std::string_view word) { return "'" + printable(word.substr(0, 40)) + "'"; }
+
+/// Why the word is no coordinate; empty if it is one.
+inline std::string coordinate_trouble(std::string_view word) {
+  const auto x = parse_decimal(word);
+  if (!x) return quoted(word) + " is no decimal number";
+  return is_finite(*x) ? "" : "the coordinate " + quoted(word) + " is not finite";
+}
+
+}  // namespace plumbline
