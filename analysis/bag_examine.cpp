@@ -1,0 +1,64 @@
+#include "analysis/bag_examine.h"
+
+#include <algorithm>
+
+#include "analysis/ask.h"
+#include "oracle/judge.h"
+
+namespace plumbline {
+namespace {
+
+// Only the triangles crossed can have been lost.
+std::vector<Answer> hits_alone(const Tracer& tracer, const Case& put, const BagTruth& truth) {
+  std::vector<Answer> hits;
+  Case one = put;
+  for (const BagHit& hit : truth.hits) {
+    one.bag.triangles = {put.bag.triangles[hit.triangle]};
+    Answer answer = ask(tracer, one).answer;
+    answer.triangle = hit.triangle;
+    if (answer.outcome == Outcome::hit) hits.push_back(answer);
+  }
+  return hits;
+}
+
+}  // namespace
+
+BagExamination examine_bag(const Tracer& tracer, const Case& asked) {
+  const Contract& contract = tracer.info().contract;
+  BagExamination e;
+  e.put = put_at(asked, contract.precision);
+  const Reply reply = ask(tracer, e.put);
+  e.query = searched_ray(reply.query, contract);
+  e.answer = reply.answer;
+  e.died = !reply.conduct.deaths.empty();
+  e.truth = bag_truth(e.put.bag.triangles, e.query);
+  if (e.truth.invalid != Invalid::none) {
+    e.judgement.verdict = BagVerdict::unspecified;
+    return e;
+  }
+  e.judgement = judge_nearest({e.put.bag.triangles, e.query, e.truth, contract}, e.answer);
+  const bool lost = e.judgement.verdict == BagVerdict::leak || e.judgement.verdict == BagVerdict::wrong_nearest;
+  if (lost && e.put.bag.triangles.size() > 1)
+    e.culling = lost_by_culling(e.judgement.verdict, e.truth, hits_alone(tracer, e.put, e.truth));
+  return e;
+}
+
+HitClass nearest_class(const BagTruth& truth) {
+  HitClass least = HitClass::exterior;
+  for (std::size_t i = 0; i < truth.nearest(); ++i) least = std::min(least, truth.hits[i].truth.hit_class);
+  return least;
+}
+
+std::optional<BagSignature> signature(const BagExamination& e) {
+  if (!e.wrong()) return std::nullopt;
+  return BagSignature{e.judgement.verdict, nearest_class(e.truth), e.culling};
+}
+
+std::string to_word(const BagSignature& s) {
+  std::string word(name(s.verdict));
+  if (s.where != HitClass::exterior) word += "-" + std::string(name(s.where));
+  if (s.culling) word += "-culling";
+  return word;
+}
+
+}  // namespace plumbline

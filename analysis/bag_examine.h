@@ -1,0 +1,53 @@
+// A tracer asked about a bag as a whole, and judged: what examine.h is for one triangle.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "case/case.h"
+#include "case/hit_class.h"
+#include "float_tracer/tracer.h"
+#include "oracle/bag/bag_truth.h"
+#include "oracle/bag/judge.h"
+
+namespace plumbline {
+
+struct BagExamination {
+  Case put;      ///< as the tracer was put it: at its precision
+  Query query;   ///< what it was really asked, in the range that its contract says is searched
+  Answer answer;
+  BagTruth truth;  ///< of the bag and the query
+  BagJudgement judgement;
+  bool culling = false;  ///< wrong, and hit if asked with a triangle alone: lost in boxes or traversal
+  bool died = false;     ///< the tracer, of this case
+
+  bool wrong() const {
+    return judgement.verdict != BagVerdict::correct && judgement.verdict != BagVerdict::unspecified &&
+           judgement.verdict != BagVerdict::fault;
+  }
+};
+
+/// Asks with bags of its own. The triangles are finite, and at most 2^32 - 1; the bag is a surface.
+BagExamination examine_bag(const Tracer& tracer, const Case& asked);
+
+/// What makes two findings of one tracer in bags the same.
+struct BagSignature {
+  BagVerdict verdict = BagVerdict::leak;
+  HitClass where = HitClass::interior;  ///< of what has to be hit first, the least exceptional: interior, edge, vertex;
+                                        ///< exterior: nothing has to be
+  bool culling = false;
+  friend bool operator==(const BagSignature&, const BagSignature&) = default;
+};
+
+/// No value where there is nothing to find.
+std::optional<BagSignature> signature(const BagExamination& examination);
+
+/// One word: "leak-edge-culling", "wrong-nearest-interior", "false-hit".
+std::string to_word(const BagSignature& signature);
+
+/// Of the nearest hits of a truth; exterior where there are none.
+HitClass nearest_class(const BagTruth& truth);
+
+}  // namespace plumbline
