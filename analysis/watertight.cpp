@@ -225,26 +225,35 @@ class Worker {
 
   static void count(const Replies& replies, std::size_t ray, const BagQuestion& question, bool closed, LeakScore& score) {
     ++score.rays;
-    const Contract lenient = question.contract, demanding = strict(lenient);
-    const BagQuestion strictly{question.triangles, question.query, question.truth, demanding};
+    const Contract demanding = strict(question.contract);
+    const BagQuestion strictly{question.triangles, question.query, question.truth, demanding, false};
+    // What nothing is wrong with then is right by the contract as well, unless that asks for fewer hits.
+    const bool fewer = question.contract.edges == EdgeRule::open || question.contract.edges == EdgeRule::one_owner;
+    const auto judge_both = [&](const auto& judge) {
+      const BagJudgement all = judge(strictly);
+      const bool fine = all.verdict == BagVerdict::correct || all.verdict == BagVerdict::unspecified;
+      return std::pair(all, fine && !fewer ? all : judge(question));
+    };
     const std::vector<Answer>& alone = replies.alone[ray];
+    const Answer& whole = replies.whole[ray];
     const bool apart = replies.apart[ray] != 0, faulty = replies.faulty[ray] != 0;
     score.apart += apart;
-    score.faults += faulty || replies.whole[ray].outcome == Outcome::fault;
+    score.faults += faulty || whole.outcome == Outcome::fault;
     if (!apart && !faulty) {
-      const BagJudgement all = judge_hits(strictly, alone), by_contract = judge_hits(question, alone);
+      const auto [all, by_contract] = judge_both([&](const BagQuestion& q) { return judge_hits(q, alone); });
       add(score.leaks, all, by_contract, BagVerdict::leak);
       add(score.doubles, all, by_contract, BagVerdict::double_hit);
       add(score.displaced, all, by_contract, BagVerdict::wrong_nearest);
-      if (closed)
-        add(score.parity, judge_parity(strictly, alone), judge_parity(question, alone), BagVerdict::wrong_parity);
     }
-    const BagJudgement all = judge_nearest(strictly, replies.whole[ray]),
-                       by_contract = judge_nearest(question, replies.whole[ray]);
+    if (!apart && !faulty && closed) {
+      const auto [all, by_contract] = judge_both([&](const BagQuestion& q) { return judge_parity(q, alone); });
+      add(score.parity, all, by_contract, BagVerdict::wrong_parity);
+    }
+    const auto [all, by_contract] = judge_both([&](const BagQuestion& q) { return judge_nearest(q, whole); });
     add(score.bag_leaks, all, by_contract, BagVerdict::leak);
     add(score.nearest, all, by_contract, BagVerdict::wrong_nearest);
     add(score.false_hits, all, by_contract, BagVerdict::false_hit);
-    const bool culled = !apart && lost_by_culling(all.verdict, question.truth, replies.whole[ray], alone);
+    const bool culled = !apart && lost_by_culling(all.verdict, question.truth, whole, alone);
     (all.verdict == BagVerdict::leak ? score.culled_leaks : score.culled_nearest) += culled;
   }
 

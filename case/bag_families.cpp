@@ -360,7 +360,7 @@ AimedBag draw(BagFamily family, const BagAim& aim, std::size_t rays, std::uint64
   Random random(Random(seed, static_cast<std::uint64_t>(family)).bits(), index);
   const std::int64_t one = std::int64_t{1} << (aim.bits - 2);
   const double unit = 1 / static_cast<double>(one);
-  const auto turned = random.below(3);  // the axes, so that none is special
+  const auto turned = family == BagFamily::lattice ? 0 : random.below(3);  // the axes, so that none is special
   const auto to_vec = [&](const Point& p) {
     const double x = static_cast<double>(p.x) * unit, y = static_cast<double>(p.y) * unit,
                  z = static_cast<double>(p.z) * unit;

@@ -4,8 +4,8 @@
 //   must  Of the triangles met at one t, at least one has to be hit where one of them has to: with closed edges that is every
 //         triangle met, else one that is met inside. With exactly one owner it is also a point that triangles share all
 //         around, consistently oriented, so that the ray goes through them once: there exactly one is hit.
-//   may   Where triangles are met and none of them has to be hit, the contract is silent. So are coplanar contact and
-//         triangles without area, unless it speaks of them.
+//         A triangle that is touched without being crossed has to be hit where the contract says so.
+//   may   Where triangles are met or touched and none of them has to be hit, the contract is silent.
 // Where an answer breaks nothing and nothing had to be hit but something may, the verdict is unspecified.
 //
 // Each verdict has a severity of its own, in lengths and in units in the last place, at the contract's precision, of the
@@ -55,6 +55,7 @@ struct BagQuestion {
   const Query& query;
   const BagTruth& truth;
   const Contract& contract;
+  bool severities = true;  ///< false: none is measured, all are 0; faster
 };
 
 /// The answer to the bag as a whole: correct, leak, false_hit, wrong_nearest, unspecified or fault. A hit without t says
