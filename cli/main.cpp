@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
   plumbline::add_sweep(app);
   plumbline::add_scan(app);
   plumbline::add_compare(app);
+  plumbline::add_watertight(app);
   plumbline::add_fuzz(app);
   plumbline::add_shrink(app);
   plumbline::add_triage(app);

@@ -13,6 +13,7 @@ void add_lattice(CLI::App& app);
 void add_mesh(CLI::App& app);
 void add_scan(CLI::App& app);
 void add_compare(CLI::App& app);
+void add_watertight(CLI::App& app);
 void add_classify(CLI::App& app);
 void add_convert(CLI::App& app);
 void add_generate(CLI::App& app);
