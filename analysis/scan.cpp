@@ -242,7 +242,7 @@ class Worker {
     BagSignature signature{judged.verdict, nearest_class(truth), false};
     if (judged.verdict == BagVerdict::leak) ++tally.leaks[std::min<std::size_t>(index_of(signature.where), 2)];
     if (lost && asked_whole(t)) {
-      signature.culling = lost_by_culling(judged.verdict, truth, hits_alone(t, i, truth));
+      signature.culling = lost_by_culling(judged.verdict, truth, answers_[i], hits_alone(t, i, truth));
       tally.culled += signature.culling;
     }
     tally.worst_ulps = std::max(tally.worst_ulps, judged.ulps);
