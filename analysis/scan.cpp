@@ -239,12 +239,12 @@ class Worker {
     ++tally.verdicts[static_cast<std::size_t>(judged.verdict)];
     const bool lost = judged.verdict == BagVerdict::leak || judged.verdict == BagVerdict::wrong_nearest;
     if (!lost && judged.verdict != BagVerdict::false_hit) return;
-    BagSignature signature{judged.verdict, nearest_class(truth), false};
+    const bool culling =
+        lost && asked_whole(t) && lost_by_culling(judged.verdict, truth, answers_[i], hits_alone(t, i, truth));
+    const BagSignature signature = plumbline::signature(judged, truth, answers_[i], culling);
     if (judged.verdict == BagVerdict::leak) ++tally.leaks[std::min<std::size_t>(index_of(signature.where), 2)];
-    if (lost && asked_whole(t)) {
-      signature.culling = lost_by_culling(judged.verdict, truth, answers_[i], hits_alone(t, i, truth));
-      tally.culled += signature.culling;
-    }
+    tally.through += signature.through;
+    tally.culled += culling;
     tally.worst_ulps = std::max(tally.worst_ulps, judged.ulps);
     const auto told = std::ranges::find_if(
         result.candidates, [&](const Candidate& c) { return c.tracer == t && c.signature == signature; });
@@ -347,6 +347,7 @@ class Reproducer {
 ScanTally& operator+=(ScanTally& sum, const ScanTally& more) {
   for (std::size_t k = 0; k < sum.verdicts.size(); ++k) sum.verdicts[k] += more.verdicts[k];
   for (std::size_t k = 0; k < sum.leaks.size(); ++k) sum.leaks[k] += more.leaks[k];
+  sum.through += more.through;
   sum.culled += more.culled;
   sum.worst_ulps = std::max(sum.worst_ulps, more.worst_ulps);
   return sum;
@@ -366,7 +367,7 @@ std::string to_line(const ScanState& state) {
     for (const ScanTally& tally : tallies) {
       for (const std::uint64_t n : tally.verdicts) out << ' ' << n;
       for (const std::uint64_t n : tally.leaks) out << ' ' << n;
-      out << ' ' << tally.culled << ' ' << std::hexfloat << tally.worst_ulps;
+      out << ' ' << tally.through << ' ' << tally.culled << ' ' << std::hexfloat << tally.worst_ulps;
     }
   }
   return out.str();
@@ -385,7 +386,7 @@ std::optional<ScanState> from_line(const std::string& line, const ScanPlan& plan
     for (ScanTally& tally : tallies) {
       for (std::uint64_t& n : tally.verdicts) in >> n;
       for (std::uint64_t& n : tally.leaks) in >> n;
-      in >> tally.culled >> word;  // streams don't read hexfloats
+      in >> tally.through >> tally.culled >> word;  // streams don't read hexfloats
       tally.worst_ulps = std::strtod(word.c_str(), nullptr);
     }
   }

@@ -32,6 +32,7 @@ inline constexpr std::size_t whole_limit = 1024;
 struct ScanTally {
   std::array<std::uint64_t, bag_verdict_names.size()> verdicts{};
   std::array<std::uint64_t, 3> leaks{};  ///< those of a point inside of a triangle; else on an edge; else at a vertex
+  std::uint64_t through = 0;             ///< wrong nearest hits of triangles that lie behind, on the ray: leaks as well
   std::uint64_t culled = 0;              ///< leaks and wrong nearest hits that were lost in boxes or traversal
   double worst_ulps = 0;                 ///< the greatest severity
   std::uint64_t operator[](BagVerdict v) const { return verdicts[static_cast<std::size_t>(v)]; }

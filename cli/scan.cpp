@@ -310,8 +310,10 @@ void add_scan(CLI::App& app) {
                "\nA tracer with a tree of its own (Embree, ODE, VTK, libraries and programs of yours) gets the whole mesh, built\n"
                "once for each thread. One that looks at each triangle gets it up to 1024 triangles, and beyond that, for each\n"
                "ray, the triangles whose boxes the ray meets.\n"
-               "Columns: a leak is a miss of a point that has to be hit by the tracer's contract; lost by culling is what the\n"
-               "tracer hits if it is asked about that triangle alone, so that its boxes or its way through them lost it;\n"
+               "Columns: a leak is a miss where something has to be hit by the tracer's contract: inside of a triangle, on an\n"
+               "edge, at a vertex. Through: the nearest is missed, and what lies behind it is hit. Beside: what is hit isn't on\n"
+               "the ray at all, mostly a neighbour. Lost by culling: the tracer hits that triangle if it is asked about it alone,\n"
+               "so that its boxes or its way through them lost it. Worst: severity, see docs/scan.md.\n"
                "'exact takes' is the time of the exact nearest hit over the tracer's, best measured with --jobs 1.\n\n" +
                std::string(foreign_tracers_help) +
                "\nExamples:\n"
