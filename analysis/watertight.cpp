@@ -27,9 +27,10 @@ constexpr LeakTest exactly(std::string_view name, BagFamily family, BagTarget on
   return {name, family, {one, other}, BagOrigin::outside, precision, bits, 0};
 }
 
-constexpr LeakTest from_inside(std::string_view name, BagTarget target, Precision precision) {
-  const int bits = precision == Precision::binary32 ? 24 : 53;
-  return {name, BagFamily::sphere, {target, target}, BagOrigin::inside, precision, bits, 1};
+constexpr LeakTest sphere(std::string_view name, BagTarget one, BagTarget other, BagOrigin origin, Precision precision) {
+  LeakTest test = beside(name, BagFamily::sphere, one, other, precision);
+  test.origin = origin;
+  return test;
 }
 
 constexpr auto tests_at(Precision p) {
@@ -40,8 +41,9 @@ constexpr auto tests_at(Precision p) {
                     exactly("fan, exact", BagFamily::fan, vertex, edge, p),
                     beside("strip, ulp", BagFamily::strip, vertex, edge, p),
                     exactly("strip, exact", BagFamily::strip, vertex, edge, p),
-                    from_inside("sphere, vertices", vertex, p),
-                    from_inside("sphere, edges", edge, p)};
+                    sphere("sphere, vertices", vertex, vertex, BagOrigin::inside, p),
+                    sphere("sphere, edges", edge, edge, BagOrigin::inside, p),
+                    sphere("sphere, outside", vertex, edge, BagOrigin::outside, p)};
 }
 
 constexpr auto all_tests = [] {

@@ -27,7 +27,8 @@ struct LeakTest {
   int bits, ulps;       ///< as in BagAim
 };
 
-/// Of either precision the same: pairs, fans and strips, by an ulp beside and exactly, and closed spheres.
+/// Of either precision the same: pairs, fans and strips, by an ulp beside and exactly, and closed spheres from inside and
+/// from outside.
 std::span<const LeakTest> leak_tests();
 
 struct LeakPlan {
@@ -50,15 +51,15 @@ struct LeakScore {
   std::uint64_t rays = 0;
   // Triangles asked one by one: each with the rays that cross it or one that shares a vertex with it, in a small bag with
   // all of them.
-  LeakCount leaks;      ///< a triangle is crossed and none is hit, or not all of the surfaces that are crossed
-  LeakCount doubles;    ///< one is hit that isn't crossed, beside those that are
-  LeakCount displaced;  ///< one is hit that isn't crossed, for one that is
-  LeakCount parity;     ///< of closed bags: an odd number of hits where it should be even, or the other way round
+  LeakCount leaks = {};       ///< a triangle is crossed and none is hit, or not all of the surfaces that are crossed
+  LeakCount doubles = {};     ///< one is hit that isn't crossed, beside those that are
+  LeakCount displaced = {};   ///< one is hit that isn't crossed, for one that is
+  LeakCount parity = {};      ///< of closed bags: an odd number of hits where it should be even, or the other way round
   std::uint64_t apart = 0;  ///< rays not counted above: its interface asked the triangles other lines than the bag
   // The bag as a whole.
-  LeakCount bag_leaks;      ///< something is crossed and the answer is a miss
-  LeakCount nearest;        ///< the hit is of a triangle that isn't nearest
-  LeakCount false_hits;     ///< nothing is there
+  LeakCount bag_leaks = {};   ///< something is crossed and the answer is a miss
+  LeakCount nearest = {};     ///< the hit is of a triangle that isn't nearest
+  LeakCount false_hits = {};  ///< nothing is there
   std::uint64_t culled_leaks = 0, culled_nearest = 0;  ///< of these, lost in boxes and traversal, not by the triangle test
   std::uint64_t faults = 0;                            ///< rays without an answer
   LeakScore& operator+=(const LeakScore& more);

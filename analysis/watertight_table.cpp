@@ -90,9 +90,10 @@ constexpr std::string_view small_legend =
     "Triangles asked one by one, leaks/double hits: something is crossed and nothing is hit, or too much.\n"
     "ulp: by up to an ulp in each component beside an edge or vertex; exact: through it.\n";
 constexpr std::string_view sphere_legend =
-    "Closed spheres from inside, by up to an ulp beside vertices and points of edges. leaks: triangles asked one by one/the\n"
-    "bag as a whole/of these, lost in boxes and traversal, for the triangle alone is hit. nearest: the bag's answer is another\n"
-    "triangle/of these, lost likewise. parity: triangles one by one, an even number of hits for an odd one.\n";
+    "Closed spheres, by up to an ulp beside vertices and points of edges: from inside each, and both from outside, into the\n"
+    "sphere and out of it. leaks: triangles asked one by one/the bag as a whole/of these, lost in boxes and traversal, for the\n"
+    "triangle alone is hit. nearest: the bag's answer is another triangle/of these, lost likewise. parity: triangles one by\n"
+    "one, an even number of hits for an odd one, or the other way round.\n";
 
 std::string text_of(const LeakResult& result, std::string (*render)(const TextTable&), std::string_view heading) {
   std::string text;
