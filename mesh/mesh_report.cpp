@@ -103,7 +103,7 @@ void look_at_edges(const Mesh& mesh, MeshReport& report) {
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto [a, b, c] = mesh.triangles[i];
     if (a == b || b == c || c == a) continue;
-    for (const auto [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
       sorted.push_back({std::min(from, to), std::max(from, to), i, from < to});
   }
   std::ranges::sort(sorted);
@@ -127,7 +127,7 @@ class Pieces {
     return v;
   }
   void join(std::uint32_t v, std::uint32_t w) {
-    const auto [low, high] = std::minmax(root(v), root(w));
+    const auto [low, high] = std::minmax({root(v), root(w)});
     parent_[high] = low;
   }
 

@@ -30,7 +30,7 @@ class HeaderReader {
       else if (words_[0] == "property")
         read_property();
       else
-        fail(fmt::format("{} is no keyword of a PLY header", quoted(words_[0])));
+        fail(fmt::format("{} is no keyword of a PLY header; remove the line, or write 'comment' in front", quoted(words_[0])));
     }
     give_roles();
     header_.size = at_;

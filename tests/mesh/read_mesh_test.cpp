@@ -197,7 +197,7 @@ TEST(ReadMesh, BadPlyHeaders) {
   EXPECT_EQ(ply_error(ply_of("element vertex -1\n", "")), "m:3: '-1' is no count");
   EXPECT_EQ(ply_error(ply_of("element vertex 99999999999999999999\n", "")), "m:3: '99999999999999999999' is no count");
   EXPECT_EQ(ply_error(ply_of("element vertex 18446744073709551615\n", "")), "m:4: element 'vertex' has no property");
-  EXPECT_EQ(ply_error(ply_of("elephant\n", "")), "m:3: 'elephant' is no keyword of a PLY header");
+  EXPECT_EQ(ply_error(ply_of("elephant\n", "")), "m:3: 'elephant' is no keyword of a PLY header; remove the line, or write 'comment' in front");
   EXPECT_EQ(ply_error(ply_of("element vertex 1\nproperty float x\nproperty float y\n", "")),
             "m:6: 0 properties z of a vertex; there has to be one");
   EXPECT_EQ(ply_error(ply_of("element vertex 1\nproperty int x\nproperty float y\nproperty float z\n", "")),
