@@ -116,7 +116,12 @@ class Side {
  public:
   /// `unit`: an ulp, negative to the back; `t_unit`: an ulp of the first ray's t.
   Side(const Referee& referee, const Vec3& point, double unit, double t_unit)
-      : referee_(referee), point_(point), unit_(unit), t_unit_(t_unit), k_(shifts(precision())), origins_(moved(k_)) {}
+      : referee_(referee),
+        point_(point),
+        unit_(unit),
+        t_unit_(t_unit),
+        k_(shifts(precision())),
+        origins_(moved(k_)) {}
 
   Departure leave(HitPoint kind, const Vec3& direction) const {
     Departure d{.point = kind, .ray = {point_, direction}};

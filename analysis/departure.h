@@ -1,13 +1,14 @@
-// Rays that leave a hit: whether they meet their own triangle again, by the tracer and in truth, and what it takes that
-// they don't.
+// Rays that leave a hit: whether they meet their own triangle again, by the tracer and in truth, and what it takes
+// that they don't.
 //
-// A secondary ray starts where the first one hit. That point is rounded, so that it may lie behind the plane, seen from
-// where the ray goes: then the ray does meet the triangle again, and any tracer has to say so. Where it lies before the
-// plane and the tracer still says hit, the tracer is at fault. The exact truth of the leaving ray keeps the two apart.
+// A secondary ray starts where the first one hit. That point is rounded, so that it may lie behind the plane, seen
+// from where the ray goes: then the ray does meet the triangle again, and any tracer has to say so. Where it lies
+// before the plane and the tracer still says hit, the tracer is at fault. The exact truth of the leaving ray keeps
+// the two apart.
 //
 // Units. A shift of k ulps moves the origin along the exact normal, to the side where the ray goes, by k units in the
-// last place, at the tracer's precision, of the hit point's largest coordinate (oracle/offset.h: in the coordinate that
-// moves most). A t_min of k ulps is k units in the last place of the first ray's t.
+// last place, at the tracer's precision, of the hit point's largest coordinate (oracle/offset.h: in the coordinate
+// that moves most). A t_min of k ulps is k units in the last place of the first ray's t.
 #pragma once
 #include <array>
 #include <span>
@@ -40,7 +41,8 @@ enum class Return : unsigned char {
 };
 
 /// The least k of 0, 1, 2, ... from which on there is no hit: none at any greater power of two up to the last that is
-/// tried, and between two powers by bisection. Infinite where the last is still hit; NaN where the remedy isn't asked.
+/// tried, and between two powers by bisection. Infinite where the last is still hit; NaN where the remedy isn't
+/// asked.
 struct Need {
   double tracer = 0;
   double exact = 0;  ///< for a tracer that does just what the contract asks for
@@ -57,7 +59,7 @@ struct Departure {
 struct Departures {
   Outcome arrival = Outcome::miss;  ///< the tracer's, of the first ray
   bool finite = true;               ///< whether the t, u, v it gives are; what isn't is not left
-  std::vector<Departure> list;      ///< by point, of which those are missing that the tracer doesn't tell; by direction
+  std::vector<Departure> list;      ///< by point, but for those that the tracer doesn't tell; by direction
 };
 
 /// 2 to this power is the last k that is tried: a quarter of the hit point's largest coordinate, about.

@@ -1,10 +1,10 @@
-// Self-intersection: how often rays that leave a hit meet their own triangle again, whose fault that is, and by how many
-// ulps the origin has to move, or t_min to grow, that they don't; of each tracer on families of hits.
+// Self-intersection: how often rays that leave a hit meet their own triangle again, whose fault that is, and by how
+// many ulps the origin has to move, or t_min to grow, that they don't; of each tracer on families of hits.
 //
-// Every first ray crosses its triangle in truth. From each point of its hit (departure.h) four rays leave, two to each
-// side of the plane by the exact sign of direction . normal: a pair of opposite ones in a direction uniform over the
-// sphere, and a grazing pair. A direction's largest component has the exponent of the first ray's. All numbers are of the
-// tracer's precision. Same plan, same result.
+// Every first ray crosses its triangle in truth. From each point of its hit (departure.h) four rays leave, two to
+// each side of the plane by the exact sign of direction . normal: a pair of opposite ones in a direction uniform over
+// the sphere, and a grazing pair. A direction's largest component has the exponent of the first ray's. All numbers
+// are of the tracer's precision. Same plan, same result.
 #pragma once
 #include <array>
 #include <atomic>

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "analysis/csv.h"
@@ -28,63 +29,80 @@ std::string ulps(double k) {
   return k < 1e6 ? fmt::format("{:.0f}", k) : fmt::format("2^{:.0f}", std::ceil(std::log2(k)));
 }
 
-// A line for each tracer and point that it has somewhere; the cells of a line are the caller's.
-template <class CellsOf>
-void add_rows(const SelfHitResult& result, TextTable& table, CellsOf cells_of) {
-  for (std::size_t t = 0; t < result.plan.tracers.size(); ++t)
-    for (std::size_t p = 0; p < hit_point_names.size(); ++p) {
-      const auto left = [&](const SelfHitScore& s) {
-        return std::ranges::any_of(s.cells[p], [](const SelfHitCell& c) { return c.rays > 0; });
-      };
-      if (std::ranges::none_of(result.scores[t], left)) continue;
-      std::vector<std::string> row = {result.plan.tracers[t]->info().name, std::string(hit_point_names[p])};
-      cells_of(result.scores[t], p, row);
-      table.rows.push_back(std::move(row));
-    }
-}
+// The counts of some cells.
+struct Sum {
+  std::uint64_t rays = 0, beyond = 0, start = 0, beyond_hits = 0, start_hits = 0, false_hits = 0;
+  void add(const SelfHitCell& c) {
+    rays += c.rays, beyond += c.beyond, start += c.start;
+    beyond_hits += c.beyond_hits, start_hits += c.start_hits, false_hits += c.false_hits;
+  }
+};
 
 TextTable faults_table(const SelfHitResult& result) {
-  TextTable table{{{"tracer"}, {"point"}, {"rays", true}, {"behind %", true}, {"on %", true}, {"false %", true},
-                   {"behind hit %", true}, {"on hit %", true}},
+  TextTable table{{{"tracer"},
+                   {"point"},
+                   {"rays", true},
+                   {"behind %", true},
+                   {"on %", true},
+                   {"false %", true},
+                   {"behind hit %", true},
+                   {"on hit %", true}},
                   {}};
-  add_rows(result, table, [](const std::vector<SelfHitScore>& scores, std::size_t point, std::vector<std::string>& row) {
-    SelfHitCell all;
-    for (const SelfHitScore& score : scores)
-      for (const SelfHitCell& c : score.cells[point]) {
-        all.rays += c.rays, all.beyond += c.beyond, all.start += c.start;
-        all.beyond_hits += c.beyond_hits, all.start_hits += c.start_hits, all.false_hits += c.false_hits;
-      }
-    row.push_back(fmt::format("{}", all.rays));
-    row.push_back(share(all.beyond, all.rays));
-    row.push_back(share(all.start, all.rays));
-    row.push_back(share(all.false_hits, all.rays - all.beyond - all.start));
-    row.push_back(share(all.beyond_hits, all.beyond));
-    row.push_back(share(all.start_hits, all.start));
-  });
+  for (std::size_t t = 0; t < result.plan.tracers.size(); ++t)
+    for (std::size_t p = 0; p < hit_point_names.size(); ++p) {
+      Sum all;
+      for (const SelfHitScore& score : result.scores[t])
+        for (const SelfHitCell& c : score.cells[p]) all.add(c);
+      if (all.rays == 0) continue;
+      table.rows.push_back({result.plan.tracers[t]->info().name, std::string(hit_point_names[p]),
+                            fmt::format("{}", all.rays), share(all.beyond, all.rays), share(all.start, all.rays),
+                            share(all.false_hits, all.rays - all.beyond - all.start),
+                            share(all.beyond_hits, all.beyond), share(all.start_hits, all.start)});
+    }
   return table;
 }
 
-TextTable needs_table(const SelfHitResult& result, Remedy remedy) {
-  TextTable table{{{"tracer"}, {"point"}}, {}};
+// Of some cells that of which the tracer needs most.
+std::string most(const std::vector<const SelfHitCell*>& cells, Remedy remedy) {
+  const NeedSpread* most = nullptr;
+  for (const SelfHitCell* c : cells) {
+    const NeedSpread& need = c->need[static_cast<std::size_t>(remedy)];
+    if (need.tracer.count > 0 && (!most || need.tracer.p99 > most->tracer.p99)) most = &need;
+  }
+  return most ? fmt::format("{}/{}", ulps(most->tracer.p99), ulps(most->exact.p99)) : "-";
+}
+
+// A line for each tracer and each of `kinds`, which is what the table tells apart: of a score, `cells_of` finds the
+// cells of the kind of that index. Lines without a figure are left out.
+template <std::size_t Count, class CellsOf>
+TextTable needs_table(const SelfHitResult& result, Remedy remedy, std::string title,
+                      const std::array<std::string_view, Count>& kinds, CellsOf cells_of) {
+  TextTable table{{{"tracer"}, {std::move(title)}}, {}};
   for (const SelfHitFamily& family : result.plan.families) table.columns.push_back({std::string(family.name), true});
-  add_rows(result, table, [&](const std::vector<SelfHitScore>& scores, std::size_t point, std::vector<std::string>& row) {
-    for (const SelfHitScore& score : scores) {
-      double tracer = 0, exact = 0;
-      std::uint64_t count = 0;
-      for (const SelfHitCell& c : score.cells[point]) {
-        const NeedSpread& need = c.need[static_cast<std::size_t>(remedy)];
-        tracer = std::max(tracer, need.tracer.p99);
-        exact = std::max(exact, need.exact.p99);
-        count += need.tracer.count;
-      }
-      row.push_back(count > 0 ? fmt::format("{}/{}", ulps(tracer), ulps(exact)) : "-");
+  for (std::size_t t = 0; t < result.plan.tracers.size(); ++t)
+    for (std::size_t kind = 0; kind < Count; ++kind) {
+      std::vector<std::string> row = {result.plan.tracers[t]->info().name, std::string(kinds[kind])};
+      for (const SelfHitScore& score : result.scores[t]) row.push_back(most(cells_of(score, kind), remedy));
+      if (std::any_of(row.begin() + 2, row.end(), [](const std::string& cell) { return cell != "-"; }))
+        table.rows.push_back(std::move(row));
     }
-  });
-  const auto unasked = [](const std::vector<std::string>& row) {
-    return std::all_of(row.begin() + 2, row.end(), [](const std::string& cell) { return cell == "-"; });
-  };
-  std::erase_if(table.rows, unasked);
   return table;
+}
+
+TextTable origin_table(const SelfHitResult& result) {
+  return needs_table(result, Remedy::origin, "point", hit_point_names, [](const SelfHitScore& s, std::size_t point) {
+    std::vector<const SelfHitCell*> cells;
+    for (const SelfHitCell& c : s.cells[point]) cells.push_back(&c);
+    return cells;
+  });
+}
+
+TextTable t_min_table(const SelfHitResult& result) {
+  return needs_table(result, Remedy::t_min, "leaving", leaving_names, [](const SelfHitScore& s, std::size_t leaving) {
+    std::vector<const SelfHitCell*> cells;
+    for (const auto& by_leaving : s.cells) cells.push_back(&by_leaving[leaving]);
+    return cells;
+  });
 }
 
 }  // namespace
@@ -123,11 +141,11 @@ std::string self_hits_csv(const SelfHitResult& result) {
 
 std::string to_terminal(const SelfHitResult& result) {
   std::string out = to_terminal(faults_table(result));
-  out += "\nulps that the origin has to move, 99 % of rays: tracer/exact\n\n";
-  out += to_terminal(needs_table(result, Remedy::origin));
-  const TextTable later = needs_table(result, Remedy::t_min);
+  out += "\nulps that the origin has to move, 99 % of rays, steep or grazing: tracer/exact\n\n";
+  out += to_terminal(origin_table(result));
+  const TextTable later = t_min_table(result);
   if (later.rows.empty()) return out;
-  out += "\nulps of the first ray's t that t_min has to be, 99 % of rays: tracer/exact\n\n";
+  out += "\nulps of the first ray's t that t_min has to be, 99 % of rays, from any point: tracer/exact\n\n";
   return out + to_terminal(later);
 }
 

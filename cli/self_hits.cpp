@@ -74,13 +74,14 @@ void run(const Options& options) {
   for (std::size_t i = 0; i < plan.tracers.size(); ++i)
     fmt::print(stderr, "{}", complaints(plan.tracers[i]->info().name, result.conduct[i]));
   if (interrupted)
-    throw std::runtime_error(fmt::format("interrupted after {} of {} pairs of tracer and family: what is written is of these",
-                                         result.done, plan.tracers.size() * plan.families.size()));
+    throw std::runtime_error(
+        fmt::format("interrupted after {} of {} pairs of tracer and family: what is written is of these", result.done,
+                    plan.tracers.size() * plan.families.size()));
 }
 
 std::string families_help() {
   std::string text;
-  for (const SelfHitFamily& family : self_hit_families) text += fmt::format("  {:<9}{}\n", family.name, family.meaning);
+  for (const SelfHitFamily& f : self_hit_families) text += fmt::format("  {:<9}{}\n", f.name, f.meaning);
   return text;
 }
 
@@ -90,7 +91,7 @@ void add_self_hits(CLI::App& app) {
   auto options = std::make_shared<Options>();
   Options& o = *options;
   CLI::App* verb = app.add_subcommand(
-      "self-hits", "Rays that leave a hit: how often they hit their own triangle again, and what it takes that they don't");
+      "self-hits", "Rays that leave a hit: how often they hit their own triangle again, and what prevents it");
   verb->add_option("--tracer", o.tracers, "Who is measured; repeatable (default: all)")
       ->type_name("NAME")
       ->expected(1)
@@ -106,18 +107,19 @@ void add_self_hits(CLI::App& app) {
   verb->add_option("--jobs", o.jobs, "Threads (default: as many as there are); the result doesn't depend on them")
       ->check(CLI::Range(1u, 1024u))
       ->type_name("N");
-  verb->add_option("-o,--output", o.file, "Write all figures as CSV, medians and worst ones too")->type_name("FILE.csv");
+  verb->add_option("-o,--output", o.file, "Write all figures as CSV, also medians and worst")->type_name("FILE.csv");
   add_tracer_timeout(*verb, o.foreign);
   verb->footer(
-      "From where rays leave (point): t, origin + t * direction; uv, a + u (b - a) + v (c - a), both with the tracer's\n"
-      "numbers and rounded at its precision; rounded, the exact point, rounded once. Then:\n"
-      "  behind %      of the leaving rays, those that meet the triangle again in truth: the point lies behind the plane\n"
+      "From where rays leave (point): t, origin + t * direction; uv, a + u (b - a) + v (c - a), both with the\n"
+      "tracer's numbers and rounded at its precision; rounded, the exact point, rounded once. Then:\n"
+      "  behind %      of the leaving rays, those that meet the triangle again in truth: their start lies behind it\n"
       "  on %          those that start in the plane exactly\n"
       "  false %       of the rest, those that the tracer says hit: its own fault\n"
-      "  behind hit %  of those behind, on hit % of those on: how many it says hit\n"
-      "and how many ulps of the hit point's largest coordinate the origin has to move along the normal, and how many ulps\n"
-      "of the first ray's t t_min has to be, so that 99 % of the rays don't hit: the tracer's figure/what exact arithmetic\n"
-      "needs. The difference is the tracer's. t_min is asked of tracers that read it.\n"
+      "  behind hit %  of those behind, how many it says hit; on hit % likewise\n"
+      "Then how many ulps of the hit point's largest coordinate the origin has to move along the normal, and how\n"
+      "many ulps of the first ray's t t_min has to be, so that 99 % of the rays don't hit: the tracer's figure/what\n"
+      "exact arithmetic needs. The difference is the tracer's. Leaving: steep, uniform over the sphere; grazing, at\n"
+      "about 2^-10. t_min is asked of tracers that read it.\n"
       "Families:\n" +
       families_help() + '\n' + std::string(foreign_tracers_help) +
       "\nExamples:\n"

@@ -9,7 +9,8 @@ TEST(ProgramPoint, EachOperationIsRounded) {
   // 1 + t * 3 with t = 2^-24 + 2^-47: the product is rounded to 3 * 2^-24 + 2^-45, the sum is a tie or just above it.
   const Ray ray{{0x1p+0, 0, -0x1.8p+0}, {0x1.8p+1, 0x1p+0, 0}};
   EXPECT_EQ(point_at(ray, 0x1.000002p-24, Precision::binary32), (Vec3{0x1.000004p+0, 0x1.000002p-24, -0x1.8p+0}));
-  EXPECT_EQ(point_at(ray, 0x1.000002p-24, Precision::binary64), (Vec3{0x1.000003000006p+0, 0x1.000002p-24, -0x1.8p+0}));
+  EXPECT_EQ(point_at(ray, 0x1.000002p-24, Precision::binary64),
+            (Vec3{0x1.000003000006p+0, 0x1.000002p-24, -0x1.8p+0}));
   // Contracted it would be 2^-46: (1 + 2^-23)^2 - (1 + 2^-22).
   const Ray cancels{{-0x1.000004p+0, 0, 0}, {0x1.000002p+0, 0, 0}};
   EXPECT_EQ(point_at(cancels, 0x1.000002p+0, Precision::binary32).x, 0);
