@@ -26,10 +26,11 @@ struct Options {
 };
 
 std::atomic<bool> interrupted = false;
+void (*meant)(int) = SIG_DFL;  // what an interrupt did before
 
-void interrupt(int signal) {
+void interrupt(int) {
   interrupted = true;
-  std::signal(signal, SIG_DFL);  // the second time it is meant
+  std::signal(SIGINT, meant);  // the second time it is
 }
 
 std::vector<std::string> all_families() {
@@ -58,10 +59,11 @@ void run(const Options& options) {
   const SelfHitPlan plan = plan_of(options);
   std::optional<Output> file;
   if (!options.file.empty()) file.emplace(options.file);  // opened before the work: better told now than in a minute
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, interrupt);
+  meant = std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGINT, interrupt);
   const bool terminal = isatty(STDERR_FILENO) != 0;
   const SelfHitResult result = measure_self_hits(plan, interrupted, terminal ? show_progress : SelfHitProgress());
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
+  std::signal(SIGINT, meant);
   if (terminal) fmt::print(stderr, "\r\x1b[K");
 
   if (file) {
