@@ -58,8 +58,8 @@ class CellWalk {
   /// left the ray in the same cell, or beside the one it is in, it is pushed 1 and more ahead.
   const Cell* next();
 
-  /// Whether it never ends: where the step of 0.0005 is lost in rounding, as of a ray nearly along the cut that it is
-  /// beside, librt stays in a cell for good. Known only when `next` has returned null.
+  /// Whether it never ends: of a direction so short that its parameters are huge, the step of 0.0005 is lost in
+  /// rounding, and librt stays in a cell for good. Known only when `next` has returned null.
   bool stuck() const { return stuck_; }
 
   const Line& line() const { return line_; }
