@@ -358,6 +358,12 @@ ScanTruth& operator+=(ScanTruth& sum, const ScanTruth& more) {
   return sum;
 }
 
+ScanState blank(const ScanPlan& plan) {
+  return {.blocks = 0,
+          .truths = std::vector<ScanTruth>(plan.sets.size()),
+          .tallies = {plan.sets.size(), std::vector<ScanTally>(plan.tracers.size())}};
+}
+
 std::string to_line(const ScanState& state) {
   std::ostringstream out;
   out << "done " << state.blocks;
@@ -376,10 +382,8 @@ std::string to_line(const ScanState& state) {
 std::optional<ScanState> from_line(const std::string& line, const ScanPlan& plan) {
   std::istringstream in(line);
   std::string word;
-  ScanState state;
+  ScanState state = blank(plan);
   if (!(in >> word >> state.blocks) || word != "done") return std::nullopt;
-  state.truths.resize(plan.sets.size());
-  state.tallies.assign(plan.sets.size(), std::vector<ScanTally>(plan.tracers.size()));
   for (ScanTruth& truth : state.truths)
     for (std::uint64_t& n : truth.nearest) in >> n;
   for (auto& tallies : state.tallies) {
@@ -400,8 +404,6 @@ ScanResult scan(const ScanPlan& plan, ScanState begin, const std::atomic<bool>& 
   ScanResult result;
   result.state = std::move(begin);
   ScanState& state = result.state;
-  state.truths.resize(plan.sets.size());
-  state.tallies.resize(plan.sets.size(), std::vector<ScanTally>(plan.tracers.size()));
   result.times.tracers.resize(plan.tracers.size());
   ScanProgress at{.state = &state};
   for (std::size_t k = 0; k < blocks.size(); ++k) (k < state.blocks ? at.rays : at.all) += blocks[k].size;

@@ -84,6 +84,9 @@ struct ScanState {
   friend bool operator==(const ScanState&, const ScanState&) = default;
 };
 
+/// Of nothing done.
+ScanState blank(const ScanPlan& plan);
+
 /// One line, words and numbers.
 std::string to_line(const ScanState& state);
 /// No value where that isn't a line of such a plan.
@@ -103,7 +106,7 @@ struct ScanProgress {
   const ScanState* state = nullptr;
 };
 
-/// From `begin`, until all is done or `stop` becomes true. The state in the result depends on the plan without jobs alone.
+/// From `begin`, which is blank or was kept of the same plan, until all is done or `stop` becomes true. The state in the result depends on the plan without jobs alone.
 ScanResult scan(const ScanPlan& plan, ScanState begin, const std::atomic<bool>& stop,
                 const std::function<void(const ScanProgress&)>& progress);
 

@@ -96,7 +96,7 @@ class ScanFolder {
   ScanState begin(const ScanPlan& plan) const {
     std::ifstream file(path_ / "scan.state");
     std::string first, second;
-    if (path_.empty() || !file) return {};
+    if (path_.empty() || !file) return blank(plan);
     std::getline(file, first);
     std::getline(file, second);
     if (first != plan_line_)
@@ -167,6 +167,8 @@ class Run {
     Output output;
     output.write(to_text(report(mesh_)) + "\n");
     output.flush();
+    // Or it's told here that it can't be written. The first file written catches signals: so before ours are.
+    if (!options_.folder.empty()) folder_->keep(begin);
     meant = std::signal(SIGINT, SIG_IGN);
     std::signal(SIGINT, interrupt);
     const ScanResult result = scan(plan_, begin, interrupted, [this](const ScanProgress& p) { show(p); });
