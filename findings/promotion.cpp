@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "analysis/bag_examine.h"
 #include "analysis/found_case.h"
 #include "analysis/shrink.h"
 #include "case/case_text.h"
@@ -69,15 +70,26 @@ std::string content(const fs::path& path) {
 
 }  // namespace
 
+namespace {
+
+[[noreturn]] void fail_as_right(const FindingRow& row) {
+  throw InputError(
+      fmt::format("finding {}: {} gets its worst case right now; 'plumbline triage retest' closes what is fixed",
+                  row.id, printable(row.tracer)));
+}
+
+}  // namespace
+
 Case promoted(const FindingRow& row, const Tracer* tracer) {
   const Case& worst = row.worst.what;
+  if (tracer && worst.bag.triangles.size() > 1) {
+    if (!signature(examine_bag(*tracer, worst))) fail_as_right(row);
+    return worst;
+  }
   const auto input = tracer ? from_case(worst, Space::ray, tracer->info().contract.precision) : std::nullopt;
   if (!input) return worst;
   const auto shrunk = shrink(*input, *tracer, Keep::nominal);
-  if (!shrunk)
-    throw InputError(
-        fmt::format("finding {}: {} gets its worst case right now; 'plumbline triage retest' closes what is fixed",
-                    row.id, printable(row.tracer)));
+  if (!shrunk) fail_as_right(row);
   Case simple = to_case(shrunk->input);
   simple.provenance = worst.provenance;
   const auto now = signature(shrunk->after);
