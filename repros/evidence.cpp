@@ -121,6 +121,10 @@ std::string headline(const Evidence& e) {
                          e.ulps);
     case FindingKind::not_finite: return fmt::format("{} hits rightly, but its t, u or v is no finite number.", who);
     case FindingKind::death: return fmt::format("{} dies of this ray.", who);
+    case FindingKind::leak:
+      return fmt::format("{} misses triangles of which the ray has to hit one: a leak{}.", who, by);
+    case FindingKind::wrong_nearest:
+      return fmt::format("{} hits another triangle than the ray has to hit first{}.", who, by);
   }
   return "";
 }

@@ -331,6 +331,15 @@ class Trouble(ExportTest):
         output = self.scratch / "out"
         output.write_text("as before")
         two = self.write(HIT + UNIT)
+        for form in FORMS:
+            if form not in ("obj", "ply", "asc"):
+                done = plumbline("export", two, "--as", form, "-o", output)
+                self.assertEqual((done.returncode, output.read_text()), (2, "as before"), form)
+        for form, mark in (("obj", "f 4 5 6"), ("ply", "element face 2"), ("asc", "F { { 0 1 2 } { 3 4 5 } }")):
+            done = plumbline("export", two, "--as", form)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn(mark, done.stdout)
+            self.assertIn("crossed    2 of 2 triangles", done.stdout)
         done = plumbline("export", two, "--as", "python-proof", "-o", output)
         self.assert_trouble(done, "2 triangles", "obj")
         self.assertEqual(output.read_text(), "as before")
