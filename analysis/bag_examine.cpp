@@ -43,7 +43,7 @@ BagExamination examine_bag(const Tracer& tracer, const Case& asked) {
   e.judgement = judge_nearest({e.put.bag.triangles, e.query, e.truth, contract}, e.answer);
   const bool lost = e.judgement.verdict == BagVerdict::leak || e.judgement.verdict == BagVerdict::wrong_nearest;
   if (lost && e.put.bag.triangles.size() > 1)
-    e.culling = lost_by_culling(e.judgement.verdict, e.truth, hits_alone(tracer, e.put, e.truth));
+    e.culling = lost_by_culling(e.judgement.verdict, e.truth, e.answer, hits_alone(tracer, e.put, e.truth));
   return e;
 }
 

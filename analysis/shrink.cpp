@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "analysis/simpler_number.h"
 #include "case/float_bits.h"
 #include "case/precision.h"
 #include "case/random.h"
@@ -16,16 +17,6 @@ namespace plumbline {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
-
-std::uint64_t significand(double v) {
-  using F = FloatFormat<double>;
-  const std::uint64_t bits = to_bits(v) & ~F::sign_bit, fraction = bits & F::fraction_mask;
-  return bits > F::fraction_mask ? fraction | (F::fraction_mask + 1) : fraction;
-}
-unsigned width(double v) {
-  const std::uint64_t s = significand(v);
-  return s == 0 ? 0 : static_cast<unsigned>(std::bit_width(s >> std::countr_zero(s)));
-}
 
 // The numbers of an input: those of points, then those alone.
 struct Numbers {
@@ -60,25 +51,14 @@ struct Simplicity {
     Numbers numbers(x);
     for (std::size_t i = 0; i < numbers.size; ++i) {
       const double v = numbers[i];
-      if (is_zero(v) || std::abs(v) == inf) {
-        weight += is_negative(v);
-        continue;
-      }
-      bits += width(v);
-      weight += 4 * width(v) + static_cast<unsigned>(std::abs(std::ilogb(v))) + is_negative(v);
+      weight += plumbline::weight(v);
+      if (std::abs(v) == inf) continue;
+      bits += plumbline::significant_bits(v);
       ones += static_cast<unsigned>(std::popcount(significand(v)));
     }
   }
   bool operator<(const Simplicity& y) const { return weight != y.weight ? weight < y.weight : ones < y.ones; }
 };
-
-double rounded_to_bits(double v, int bits, int direction) {
-  if (is_zero(v) || !is_finite(v)) return v;
-  int exponent;
-  const double scaled = std::ldexp(std::frexp(v, &exponent), bits);
-  const double r = direction == 0 ? std::nearbyint(scaled) : direction > 0 ? std::ceil(scaled) : std::floor(scaled);
-  return std::ldexp(r, exponent - bits);
-}
 
 class Shrinker {
  public:

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
+#include "case/finite.h"
 #include "case/input_error.h"
 #include "case/nearest_name.h"
 #include "float_tracer/adapters/adapter_list.h"
@@ -14,6 +16,7 @@
 #include "float_tracer/plugin.h"
 #include "float_tracer/tracer_list.h"
 #include "float_tracer/variants/variants.h"
+#include "oracle/bag/scene.h"
 #include "oracle/classify.h"
 #include "oracle/measure.h"
 
@@ -22,29 +25,35 @@ namespace {
 
 class PreparedExact final : public PreparedBag {
  public:
-  explicit PreparedExact(const Bag& bag) : triangles_(bag.triangles) {}
+  explicit PreparedExact(const Bag& bag) : triangles_(bag.triangles) {
+    const auto finite = [](const Triangle& t) { return is_finite(t); };
+    if (triangles_.size() > 1 && std::ranges::all_of(triangles_, finite)) scene_.emplace(triangles_);
+  }
 
  private:
   void answer(std::span<const Ray> rays, std::span<Answer> answers) override {
     for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = nearest(rays[i]);
   }
 
-  // Of two hits at the same t, rounded, the first triangle's. There is no answer to an invalid question.
+  // Of two hits at exactly the same t, the first triangle's. There is no answer to an invalid question.
   Answer nearest(const Ray& ray) const {
-    Answer best;
-    for (std::uint32_t k = 0; k < triangles_.size(); ++k) {
-      const Truth truth = classify(triangles_[k], ray);
-      if (truth.invalid != Invalid::none) return {.outcome = Outcome::fault};
-      if (!crosses(truth)) continue;
-      const auto at = measure<double>(triangles_[k], ray);
-      if (best.outcome == Outcome::hit && !(at->t < best.t)) continue;
-      best = {
-          .outcome = Outcome::hit, .has_t = true, .has_uv = true, .triangle = k, .t = at->t, .u = at->u, .v = at->v};
-    }
-    return best;
+    if (triangles_.empty()) return {};
+    const Truth truth = classify(triangles_.front(), ray);
+    if (truth.invalid != Invalid::none || (triangles_.size() > 1 && !scene_)) return {.outcome = Outcome::fault};
+    if (!scene_) return crosses(truth) ? hit_of(0, ray) : Answer{};
+    const Query query = ray;
+    NearestHits hits;
+    scene_->nearest({&query, 1}, hits);
+    return hits.of(0).empty() ? Answer{} : hit_of(hits.of(0).front().triangle, ray);
+  }
+
+  Answer hit_of(std::uint32_t triangle, const Ray& ray) const {
+    const auto [t, u, v] = *measure<double>(triangles_[triangle], ray);
+    return {.outcome = Outcome::hit, .has_t = true, .has_uv = true, .triangle = triangle, .t = t, .u = u, .v = v};
   }
 
   std::vector<Triangle> triangles_;
+  std::optional<Scene> scene_;  // of several triangles; none, if one of them isn't finite
 };
 
 class ExactTracer final : public Tracer {

@@ -32,7 +32,9 @@ int run(int argc, char** argv) {
 
   bool disagreement = false;
   plumbline::add_sweep(app);
+  plumbline::add_scan(app);
   plumbline::add_compare(app);
+  plumbline::add_watertight(app);
   plumbline::add_fuzz(app);
   plumbline::add_shrink(app);
   plumbline::add_triage(app);

@@ -11,7 +11,9 @@ namespace plumbline {
 void add_sweep(CLI::App& app);
 void add_lattice(CLI::App& app);
 void add_mesh(CLI::App& app);
+void add_scan(CLI::App& app);
 void add_compare(CLI::App& app);
+void add_watertight(CLI::App& app);
 void add_classify(CLI::App& app);
 void add_convert(CLI::App& app);
 void add_generate(CLI::App& app);

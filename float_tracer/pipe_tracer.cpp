@@ -320,7 +320,8 @@ std::unique_ptr<Tracer> pipe_tracer(const std::string& name, double timeout) {
                                                                       .summary = "a program that is asked by a pipe",
                                                                       .source = command,
                                                                       .package = command,
-                                                                      .contract = contract});
+                                                                      .contract = contract,
+                                                                      .has_tree = true});
 }
 
 }  // namespace plumbline

@@ -280,6 +280,7 @@ Library load(const std::string& path) {
            .source = path,
            .package = path,
            .contract = contract,
+           .has_tree = true,
            .own_queries = table->asked != nullptr,
            .isolation = Isolation::process}};
 }
@@ -358,6 +359,7 @@ std::unique_ptr<Tracer> load_plugin(const std::string& path, double timeout) {
                                                       .source = path,
                                                       .package = path,
                                                       .contract = said.contract,
+                                                      .has_tree = true,
                                                       .own_queries = said.own_queries,
                                                       .isolation = Isolation::process}),
                   {.timeout = limit});

@@ -62,6 +62,8 @@ struct TracerInfo {
   Contract contract;
   /// Lengths and limits of its own, near which its answers change: a search puts tolerances and standoffs there.
   std::vector<double> constants = {};
+  /// Finds its way among many triangles, as far as is known, in less time than looking at each; a foreign one may.
+  bool has_tree = false;
   bool own_queries = false; ///< asks something else than the ray given: see PreparedBag::asked
   Isolation isolation = Isolation::none;
 };

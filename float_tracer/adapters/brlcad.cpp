@@ -222,7 +222,8 @@ class BrlcadTracer final : public Tracer {
                 .summary = "the real librt of BRL-CAD, a bag of triangles alone in a model",
                 .source = "rt_shootray",
                 .package = "BRL-CAD " PLUMBLINE_BRLCAD_VERSION,
-                .contract = {.range = RangeRule::ray, .t_min = EndRule::unspecified}}) {}
+                .contract = {.range = RangeRule::ray, .t_min = EndRule::unspecified},
+                .has_tree = true}) {}
 
   std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override { return std::make_unique<PreparedModel>(bag); }
 };

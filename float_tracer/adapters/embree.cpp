@@ -239,7 +239,8 @@ class EmbreeTracer final : public Tracer {
                              .t_min = EndRule::unspecified,
                              .t_max = EndRule::unspecified,
                              .coplanar = TouchRule::unspecified,
-                             .degenerate = TouchRule::unspecified}}),
+                             .degenerate = TouchRule::unspecified},
+                .has_tree = true}),
         flags_(robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE),
         call_(way.call),
         isa_(way.isa) {}

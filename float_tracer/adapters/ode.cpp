@@ -135,6 +135,7 @@ class OdeTracer final : public Tracer {
                              .t_max = EndRule::unspecified,
                              .coplanar = TouchRule::unspecified,
                              .degenerate = TouchRule::unspecified},
+                .has_tree = true,
                 .own_queries = true,
                 .isolation = Isolation::process}) {}
 

@@ -163,9 +163,15 @@ class CellTracer final : public Tracer {
 template <class Locator>
 class LocatorTracer final : public Tracer {
  public:
-  using Tracer::Tracer;
+  explicit LocatorTracer(TracerInfo info) : Tracer(searching(std::move(info))) {}
   std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override {
     return std::make_unique<PreparedLocator<Locator>>(bag);
+  }
+
+ private:
+  static TracerInfo searching(TracerInfo info) {
+    info.has_tree = true;
+    return info;
   }
 };
 

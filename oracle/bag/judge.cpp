@@ -60,11 +60,12 @@ class Judge {
     if (answer.outcome == Outcome::hit) return answer.has_t ? nearest_hit(answer.triangle) : some_hit();
     const auto it = std::ranges::find(must_, true);
     if (it != must_.end()) return missed(groups_[static_cast<std::size_t>(it - must_.begin())]);
-    return {quiet()};
+    return {std::ranges::any_of(q_.truth.stretches, [&](const Stretch& s) { return must(s); }) ? BagVerdict::leak : quiet()};
   }
 
   BagJudgement hits(std::span<const Answer> hits) const {
-    const bool any_must = std::ranges::count(must_, true) != 0;
+    const bool any_must = std::ranges::count(must_, true) != 0 ||
+                          std::ranges::any_of(q_.truth.stretches, [&](const Stretch& s) { return must(s); });
     BagJudgement worst_false, lost;
     std::size_t false_hits = 0;
     for (const Answer& hit : hits) {
@@ -81,6 +82,11 @@ class Judge {
       if (count != 0) continue;
       leaks = true;
       take_worse(lost, missed(groups_[i]));
+    }
+    for (const Stretch& touched : q_.truth.stretches) {
+      if (!must(touched) || std::ranges::count(hits, touched.triangle, &Answer::triangle) != 0) continue;
+      leaks = true;
+      take_worse(lost, {BagVerdict::leak});
     }
     if (false_hits > 0) {
       worst_false.verdict = leaks                        ? BagVerdict::wrong_nearest
@@ -179,6 +185,10 @@ class Judge {
            std::ranges::all_of(group, [&](const BagHit& hit) { return duty_of(hit) == Duty::any; });
   }
 
+  bool must(const Stretch& touched) const {
+    return duty(q_.triangles[touched.triangle], q_.query, {.hit_class = touched.hit_class}, q_.contract) == Duty::hit;
+  }
+
   // Where nothing must be hit and no hit is wrong.
   BagVerdict quiet() const {
     const auto may = [&](std::uint32_t triangle, const Truth& truth) {
@@ -239,12 +249,14 @@ class Judge {
 
   // The severity of that answer of one triangle; the verdict is still to be told.
   BagJudgement one_wrong(std::uint32_t triangle, bool answered_hit) const {
+    if (!q_.severities) return {BagVerdict::false_hit};
     const auto s = severity(q_.triangles[triangle], q_.query, answered_hit, q_.contract.precision);
     return {BagVerdict::false_hit, s ? s->length : 0, s ? s->ulps : 0};
   }
 
   // How far apart the ray meets the planes of two triangles.
   BagJudgement apart(std::uint32_t first, std::uint32_t second) const {
+    if (!q_.severities) return {BagVerdict::wrong_order};
     const Triangle &p = q_.triangles[first], &q = q_.triangles[second];
     const Quotient s = ExactCase(p, q_.query).t(), t = ExactCase(q, q_.query).t();
     const double largest = largest_magnitude(q_.query.ray.origin, p.a, p.b, p.c, q.a, q.b, q.c);
@@ -343,10 +355,14 @@ BagJudgement judge_segments(const BagQuestion& question, std::span<const RaySegm
   return worst;
 }
 
-bool lost_by_culling(BagVerdict verdict, const BagTruth& truth, std::span<const Answer> hits_alone) {
-  const std::size_t meant = verdict == BagVerdict::leak ? truth.hits.size() : truth.nearest();
-  return std::ranges::any_of(std::span(truth.hits).first(meant), [&](const BagHit& met) {
-    return std::ranges::count(hits_alone, met.triangle, &Answer::triangle) != 0;
+bool lost_by_culling(BagVerdict verdict, const BagTruth& truth, const Answer& answer, std::span<const Answer> hits_alone) {
+  const DefaultControls controls;
+  const bool leak = verdict == BagVerdict::leak;
+  if (!leak && verdict != BagVerdict::wrong_nearest) return false;
+  const auto due = std::span(truth.hits).first(leak ? truth.hits.size() : truth.nearest());
+  return std::ranges::any_of(hits_alone, [&](const Answer& alone) {
+    return std::ranges::count(due, alone.triangle, &BagHit::triangle) != 0 &&
+           (leak || (alone.has_t && answer.has_t && alone.t < answer.t));
   });
 }
 

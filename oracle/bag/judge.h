@@ -4,8 +4,8 @@
 //   must  Of the triangles met at one t, at least one has to be hit where one of them has to: with closed edges that is every
 //         triangle met, else one that is met inside. With exactly one owner it is also a point that triangles share all
 //         around, consistently oriented, so that the ray goes through them once: there exactly one is hit.
-//   may   Where triangles are met and none of them has to be hit, the contract is silent. So are coplanar contact and
-//         triangles without area, unless it speaks of them.
+//         A triangle that is touched without being crossed has to be hit where the contract says so.
+//   may   Where triangles are met or touched and none of them has to be hit, the contract is silent.
 // Where an answer breaks nothing and nothing had to be hit but something may, the verdict is unspecified.
 //
 // Each verdict has a severity of its own, in lengths and in units in the last place, at the contract's precision, of the
@@ -59,6 +59,7 @@ struct BagQuestion {
   const Query& query;
   const BagTruth& truth;
   const Contract& contract;
+  bool severities = true;  ///< false: none is measured, all are 0; faster
 };
 
 /// The answer to the bag as a whole: correct, leak, false_hit, wrong_nearest, unspecified or fault. A hit without t says
@@ -84,8 +85,8 @@ BagJudgement judge_segments(const BagQuestion& question, std::span<const RaySegm
                             std::span<const RaySegment> exact, double leeway);
 
 /// Of a leak or a wrong nearest hit of the whole bag: whether it was lost on the way, in boxes and traversal, and not by the
-/// triangle test. It was if the tracer hits one of the triangles crossed (wrong nearest: of the nearest), asked with it
-/// alone.
-bool lost_by_culling(BagVerdict verdict, const BagTruth& truth, std::span<const Answer> hits_alone);
+/// triangle test. It was if the tracer, asked with one of the triangles crossed alone, hits it (wrong nearest: with one of
+/// the nearest, and nearer than what it reported, by its own t).
+bool lost_by_culling(BagVerdict verdict, const BagTruth& truth, const Answer& answer, std::span<const Answer> hits_alone);
 
 }  // namespace plumbline

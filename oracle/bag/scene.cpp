@@ -93,6 +93,16 @@ BagTruth Scene::truth(const Query& query) const {
   return truth;
 }
 
+void Scene::boxes_met(const Query& query, std::vector<std::uint32_t>& triangles) const {
+  const DefaultControls controls;
+  triangles.clear();
+  if (why_invalid(Triangle{}, query.ray) != Invalid::none) return;
+  visit_leaves(tree_, query, query.ray.t_max, [&](std::uint32_t begin, std::uint32_t count) {
+    for (std::uint32_t k = begin; k < begin + count; ++k) triangles.push_back(tree_.order[k]);
+  });
+  std::ranges::sort(triangles);
+}
+
 void Scene::nearest(std::span<const Query> queries, NearestHits& hits) const {
   const DefaultControls controls;
   hits.owners_.clear();

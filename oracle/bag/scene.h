@@ -39,6 +39,9 @@ class Scene {
   /// bag_truth of all triangles.
   BagTruth truth(const Query& query) const;
 
+  /// Replaces `triangles` by those that the query may touch, and a few that it doesn't: those whose boxes it meets.
+  void boxes_met(const Query& query, std::vector<std::uint32_t>& triangles) const;
+
   /// Replaces `hits`. An invalid query hits nothing. What is touched without being crossed is no hit.
   void nearest(std::span<const Query> queries, NearestHits& hits) const;
 

@@ -1,0 +1,324 @@
+#include "analysis/scan.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <thread>
+
+#include "analysis/bag_shrink.h"
+#include "analysis/scan_rays.h"
+#include "analysis/scan_table.h"
+#include "analysis/text_table.h"
+#include "case/case_text.h"
+#include "case/enum_names.h"
+#include "case/folder.h"
+#include "case/input_error.h"
+#include "case/shell_word.h"
+#include "cli/number_options.h"
+#include "cli/output.h"
+#include "cli/tracer_options.h"
+#include "cli/verb.h"
+#include "mesh/mesh_report.h"
+#include "mesh/read_mesh.h"
+
+namespace plumbline {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Options {
+  std::string mesh, folder;
+  std::vector<std::string> tracers, aims;
+  std::vector<std::array<double, 3>> views;
+  std::uint64_t rays = 1'000'000, seed = 1;
+  unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
+  bool shrink = true;
+  ForeignOptions foreign;
+};
+
+std::atomic<bool> interrupted = false;
+void (*meant)(int) = SIG_DFL;  // what an interrupt did before
+
+void interrupt(int) {
+  interrupted = true;
+  std::signal(SIGINT, meant);  // the second time it is
+}
+
+std::vector<ScanSet> sets_of(const Options& options, const Mesh& mesh) {
+  std::vector<ScanAim> aims;
+  for (const std::string& word : options.aims) aims.push_back(*from_name<ScanAim>(scan_aim_names, word));
+  if (aims.empty() && options.views.empty())
+    for (std::size_t k = 0; k < scan_aim_names.size(); ++k) aims.push_back(static_cast<ScanAim>(k));
+  std::vector<ScanSet> sets;
+  const auto rays = std::make_shared<ScanRays>(mesh, options.seed);
+  for (std::size_t k = 0; k < aims.size(); ++k) {
+    // As even as it goes.
+    const std::uint64_t size = options.rays * (k + 1) / aims.size() - options.rays * k / aims.size();
+    sets.push_back({std::string(name(aims[k])), size, [rays, aim = aims[k]](std::uint64_t i) { return rays->ray(aim, i); }});
+  }
+  for (const auto& [azimuth, elevation, cell] : options.views) {
+    const auto grid = std::make_shared<ShotlineGrid>(mesh, azimuth, elevation, cell);
+    sets.push_back({fmt::format("view {} {} {}", azimuth, elevation, cell), grid->size(),
+                    [grid](std::uint64_t i) { return grid->ray(i); }});
+  }
+  return sets;
+}
+
+// FNV-1a over all of a mesh.
+std::uint64_t fingerprint(const Mesh& mesh) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  const auto take = [&](std::uint64_t word) { hash = (hash ^ word) * 0x100000001b3u; };
+  for (const Vec3& v : mesh.vertices)
+    for (const double x : {v.x, v.y, v.z}) take(to_bits(x));
+  for (const Corners& corners : mesh.triangles)
+    for (const std::uint32_t corner : corners) take(corner);
+  return hash;
+}
+
+// A scan's folder: how far it is, and what it found.
+class ScanFolder {
+ public:
+  ScanFolder(const std::string& path, const ScanPlan& plan, const Options& options) : path_(path) {
+    if (path_.empty()) return;
+    plan_line_ = fmt::format("plan {:016x} seed {}", fingerprint(*plan.mesh), options.seed);
+    for (const ScanSet& set : plan.sets) plan_line_ += fmt::format(" | {} {}", set.name, set.size);
+    for (const Tracer* tracer : plan.tracers) plan_line_ += " | " + tracer->info().name;
+    make_folder(path_ / "findings");
+  }
+
+  /// What was done before; nothing where there is none. Throws InputError where the folder is another scan's.
+  ScanState begin(const ScanPlan& plan) const {
+    std::ifstream file(path_ / "scan.state");
+    std::string first, second;
+    if (path_.empty() || !file) return {};
+    std::getline(file, first);
+    std::getline(file, second);
+    if (first != plan_line_)
+      throw InputError(fmt::format("{}: holds a scan of another mesh, seed, number of rays or list of tracers; name a new "
+                                   "folder, or give the same again to take it up",
+                                   path_.string()));
+    const auto state = from_line(second, plan);
+    if (!state)
+      throw InputError(fmt::format("{}: is damaged; remove it, and the scan begins anew", (path_ / "scan.state").string()));
+    return *state;
+  }
+
+  void keep(const ScanState& state) const { write("scan.state", plan_line_ + "\n" + to_line(state) + "\n"); }
+  void write(const std::filesystem::path& name, const std::string& text) const {
+    if (path_.empty()) return;
+    make_folder((path_ / name).parent_path());
+    Output output((path_ / name).string());
+    output.write(text);
+    output.finish();
+  }
+
+ private:
+  std::filesystem::path path_;
+  std::string plan_line_;
+};
+
+std::string file_name(std::string_view text) {
+  std::string safe;
+  for (const char c : text) safe += std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.' ? c : '_';
+  return safe;
+}
+
+std::string places(const std::vector<std::uint32_t>& triangles) {
+  constexpr std::size_t most = 12;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, triangles.size()); ++i) text += fmt::format(" {}", triangles[i]);
+  if (triangles.size() > most) text += fmt::format(" and {} more", triangles.size() - most);
+  return text;
+}
+
+Case case_of(const ScanFinding& f, const Options& options) {
+  Case found = f.what;
+  found.id = to_word(f.signature);
+  found.provenance = {
+      fmt::format("{} of {}: severity {:.6g} ulps of the largest coordinate", name(f.signature.verdict), f.tracer->info().name,
+                  f.judgement.ulps),
+      fmt::format("found by scan: {}, seed {}, {}, ray {}", options.mesh, options.seed, f.set->name, f.index),
+      "triangles of the mesh:" + places(f.triangles)};
+  if (!f.reproduced)
+    found.provenance.push_back("these triangles alone are answered rightly, or wrong in another way: it takes more of the mesh");
+  return found;
+}
+
+class Run {
+ public:
+  explicit Run(const Options& options) : options_(options), mesh_(read_mesh(options.mesh)) {
+    plan_.mesh = &mesh_;
+    plan_.mesh_name = options.mesh;
+    plan_.sets = sets_of(options, mesh_);
+    plan_.tracers = find_tracers(options.tracers, options.foreign);
+    plan_.jobs = options.jobs;
+    plan_.on_finding = [this](const ScanFinding& f) { take(f); };
+    folder_.emplace(options.folder, plan_, options);
+  }
+
+  void run() {
+    const ScanState begin = folder_->begin(plan_);
+    Output output;
+    output.write(to_text(report(mesh_)) + "\n");
+    output.flush();
+    meant = std::signal(SIGINT, SIG_IGN);
+    std::signal(SIGINT, interrupt);
+    const ScanResult result = scan(plan_, begin, interrupted, [this](const ScanProgress& p) { show(p); });
+    if (!options_.folder.empty()) folder_->keep(result.state);
+    if (result.complete && options_.shrink) shrink_findings();
+    std::signal(SIGINT, meant);
+    clear_line();
+    const std::string table = to_terminal(plan_, result) + findings_table();
+    if (result.complete) {
+      folder_->write("scan.txt", to_text(report(mesh_)) + "\n" + table);
+      folder_->write("scan.csv", to_csv(plan_, result.state));
+    }
+    output.write(table);
+    output.finish();
+    for (std::size_t t = 0; t < plan_.tracers.size(); ++t)
+      fmt::print(stderr, "{}", complaints(plan_.tracers[t]->info().name, result.conduct[t]));
+    if (!result.complete)
+      throw std::runtime_error(options_.folder.empty()
+                                   ? "interrupted: this is of the rays done only; with -o DIR it can be taken up"
+                                   : fmt::format("interrupted: this is of the rays done only; the same command takes it up in {}",
+                                                 options_.folder));
+  }
+
+ private:
+  struct Kept {
+    ScanFinding finding;
+    std::optional<ShrunkBag> shrunk;
+  };
+
+  void take(const ScanFinding& f) {
+    const std::string word = to_word(f.signature);
+    folder_->write(std::filesystem::path("findings") / file_name(f.tracer->info().name) / (word + ".case"),
+                   to_text(case_of(f, options_)));
+    kept_.insert_or_assign({f.tracer->info().name, word}, Kept{f, {}});
+  }
+
+  void shrink_findings() {
+    std::size_t at = 0;
+    for (auto& [key, kept] : kept_) {
+      if (interrupted) return;
+      if (terminal_) fmt::print(stderr, "\r\x1b[Kmaking findings plain: {} of {}", ++at, kept_.size());
+      if (!kept.finding.reproduced) continue;
+      kept.shrunk = shrink_bag(kept.finding.what, *kept.finding.tracer);
+      if (!kept.shrunk) continue;
+      Case simple = case_of(kept.finding, options_);
+      simple.provenance.push_back(fmt::format("shrunk: {} triangles -> {}, {} -> {} significant bits",
+                                              kept.finding.what.bag.triangles.size(), kept.shrunk->what.bag.triangles.size(),
+                                              kept.shrunk->bits_before, kept.shrunk->bits_after));
+      simple.bag = kept.shrunk->what.bag;
+      simple.ray = kept.shrunk->what.ray;
+      folder_->write(std::filesystem::path("findings") / file_name(key.first) / (key.second + ".min.case"), to_text(simple));
+    }
+  }
+
+  std::string findings_table() const {
+    if (kept_.empty()) return "";
+    TextTable table{{{"tracer"}, {"finding"}, {"severity (ulps)", true}, {"triangles", true}, {"bits", true}}, {}};
+    for (const auto& [key, kept] : kept_) {
+      const auto& shrunk = kept.shrunk;
+      table.rows.push_back({key.first, key.second, fmt::format("{:.4g}", kept.finding.judgement.ulps),
+                            shrunk ? std::to_string(shrunk->what.bag.triangles.size()) : kept.finding.reproduced ? "?" : "mesh",
+                            shrunk ? std::to_string(shrunk->bits_after) : "-"});
+    }
+    std::string text = "\nThe worst of each kind, and how few triangles and bits show it:\n" + to_terminal(table);
+    if (!options_.folder.empty()) text += fmt::format("Cases: {}/findings\n", options_.folder);
+    return text;
+  }
+
+  void show(const ScanProgress& p) {
+    const auto now = Clock::now();
+    if (now - kept_at_ >= std::chrono::seconds(1)) {
+      kept_at_ = now;
+      if (!options_.folder.empty()) folder_->keep(*p.state);
+      if (terminal_) {
+        if (!first_) first_ = {now, p.rays};
+        const double seconds = std::chrono::duration<double>(now - first_->at).count();
+        const auto done = static_cast<double>(p.rays - first_->rays), left = static_cast<double>(p.all - p.rays);
+        fmt::print(stderr, "\r\x1b[K{:5.1f} % of {} rays, {} kinds of findings", 100.0 * static_cast<double>(p.rays) / static_cast<double>(p.all),
+                   p.all, kept_.size());
+        if (done > 0) fmt::print(stderr, ", about {:.0f} s left", seconds * left / done);
+      }
+    }
+  }
+
+  void clear_line() const {
+    if (terminal_) fmt::print(stderr, "\r\x1b[K");
+  }
+
+  struct Mark {
+    Clock::time_point at;
+    std::uint64_t rays;
+  };
+
+  const Options& options_;
+  Mesh mesh_;
+  ScanPlan plan_;
+  std::optional<ScanFolder> folder_;
+  std::map<std::pair<std::string, std::string>, Kept> kept_;  // by tracer and word
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+  Clock::time_point kept_at_ = Clock::now();
+  std::optional<Mark> first_;
+};
+
+}  // namespace
+
+void add_scan(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand("scan", "Your own mesh: where tracers leak, hit the wrong triangle, or nothing at all");
+  auto options = std::make_shared<Options>();
+  Options& o = *options;
+  verb->add_option("MESH", o.mesh, "A mesh: .obj, .ply or .stl")->required();
+  verb->add_option("--tracer", o.tracers,
+                   "Tracer to put to the test, or 'all'; repeatable (default: textbook kernels, BRL-CAD's rules, Embree, exact)")
+      ->type_name("NAME");
+  add_tracer_timeout(*verb, o.foreign);
+  verb->add_option("--rays", o.rays, "Rays in all, shared out evenly among the aims")
+      ->check(whole_number())
+      ->type_name("N")
+      ->capture_default_str();
+  verb->add_option("--seed", o.seed, "The same seed gives the same rays")
+      ->check(whole_number())
+      ->type_name("N")
+      ->capture_default_str();
+  verb->add_option("--aim", o.aims, "What rays are aimed at, see below; repeatable (default: all)")
+      ->check(CLI::IsMember(std::vector<std::string>(scan_aim_names.begin(), scan_aim_names.end())))
+      ->type_name("AIM");
+  verb->add_option("--view", o.views,
+                   "A grid of parallel shotlines: azimuth and elevation in degrees, and the size of a cell; repeatable. Without "
+                   "--aim, only grids are fired")
+      ->type_name("AZ EL CELL");
+  verb->add_option("--jobs", o.jobs, "Threads; the counts don't depend on them (default: one per core)")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  verb->add_flag("!--no-shrink", o.shrink, "Leave the findings as they were found");
+  verb->add_option("-o", o.folder, "Keep everything in this folder: the table, the CSV, a .case for each finding; the same "
+                                   "command takes up a scan that was cut off")
+      ->type_name("DIR");
+  std::string aims = "Aims:\n";
+  for (std::size_t k = 0; k < scan_aim_names.size(); ++k)
+    aims += fmt::format("  {:<11} {}\n", scan_aim_names[k], scan_aim_summaries[k]);
+  verb->footer(aims +
+               "\nA tracer with a tree of its own (Embree, ODE, VTK, libraries and programs of yours) gets the whole mesh, built\n"
+               "once for each thread. One that looks at each triangle gets it up to 1024 triangles, and beyond that, for each\n"
+               "ray, the triangles whose boxes the ray meets.\n"
+               "Columns: a leak is a miss of a point that has to be hit by the tracer's contract; lost by culling is what the\n"
+               "tracer hits if it is asked about that triangle alone, so that its boxes or its way through them lost it;\n"
+               "'exact takes' is the time of the exact nearest hit over the tracer's, best measured with --jobs 1.\n\n" +
+               std::string(foreign_tracers_help) +
+               "\nExamples:\n"
+               "  plumbline mesh make sphere --triangles 500000 --jitter 0.001 --precision binary32 -o sphere.ply\n"
+               "  plumbline scan sphere.ply --tracer embree_default --tracer embree_robust -o sphere\n"
+               "  plumbline scan part.stl --view 0 0 0.5 --view 45 30 0.5 --tracer ./libmine.so");
+  verb->callback([options] { Run(*options).run(); });
+}
+
+}  // namespace plumbline
