@@ -25,11 +25,11 @@ bool is_word(std::string_view name) {
   return !name.empty() && std::ranges::all_of(name, [](char c) { return c > ' ' && c < 0x7f && c != '#'; });
 }
 
-std::optional<VerdictKind> verdict_of(FindingKind kind) {
+std::optional<VerdictKind> verdict_of(FindingKind kind, std::size_t triangles) {
   switch (kind) {
     case FindingKind::false_miss: return VerdictKind::false_miss;
     case FindingKind::false_hit: return VerdictKind::false_hit;
-    case FindingKind::leak: return VerdictKind::leak;
+    case FindingKind::leak: return triangles == 1 ? VerdictKind::false_miss : VerdictKind::leak;
     case FindingKind::wrong_nearest: return VerdictKind::wrong_nearest;
     case FindingKind::displaced:
     case FindingKind::not_finite:
@@ -43,7 +43,8 @@ std::optional<VerdictKind> verdict_of(FindingKind kind) {
 void set_known(Case& found, std::string_view tracer, FindingKind kind) {
   found.known.clear();
   if (!is_word(tracer)) return;
-  if (const auto verdict = verdict_of(kind)) found.known = {{std::string(tracer), *verdict}};
+  const auto verdict = verdict_of(kind, found.bag.triangles.size());
+  if (verdict) found.known = {{std::string(tracer), *verdict}};
 }
 
 void set_finding(Case& found, std::string_view tracer, FindingKind kind) {

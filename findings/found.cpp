@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "analysis/ask.h"
+#include "analysis/bag_shrink.h"
 #include "analysis/shrink.h"
 #include "case/case_bytes.h"
 #include "findings/build_line.h"
@@ -29,11 +30,12 @@ FoundFinding found_finding(const TracerInfo& tracer, const Signature& signature,
 
 namespace {
 
-FindingKind kind(BagVerdict verdict) {
-  const VerdictKind v = verdict_kind(verdict);
-  return v == VerdictKind::leak            ? FindingKind::leak
-         : v == VerdictKind::wrong_nearest ? FindingKind::wrong_nearest
-                                           : FindingKind::false_hit;
+FindingKind kind(BagVerdict verdict, std::size_t triangles) {
+  switch (verdict_kind(verdict)) {
+    case VerdictKind::leak: return triangles == 1 ? FindingKind::false_miss : FindingKind::leak;
+    case VerdictKind::wrong_nearest: return FindingKind::wrong_nearest;
+    default: return FindingKind::false_hit;
+  }
 }
 
 Conditioning conditioning(const Case& what, const Contract& contract, BagVerdict verdict) {
@@ -62,20 +64,6 @@ Conditioning conditioning(const Case& what, const Contract& contract, BagVerdict
   return found;
 }
 
-// Of the triangles one by one.
-unsigned bits_of(const Case& what) {
-  FuzzInput ray;
-  ray.ray = what.ray;
-  unsigned bits = significant_bits(ray);
-  for (const Triangle& triangle : what.bag.triangles) {
-    FuzzInput one;
-    one.triangle = triangle;
-    one.ray = {};
-    bits += significant_bits(one);
-  }
-  return bits;
-}
-
 }  // namespace
 
 FoundFinding found_bag_finding(const TracerInfo& tracer, const BagSignature& signature, const BagJudgement& judgement,
@@ -85,9 +73,9 @@ FoundFinding found_bag_finding(const TracerInfo& tracer, const BagSignature& sig
   if (condition != Conditioning::nominal) word += "-" + std::string(name(condition));
   FoundFinding f{.tracer = tracer.name,
                  .signature = std::move(word),
-                 .kind = kind(signature.verdict),
+                 .kind = kind(signature.verdict, what.bag.triangles.size()),
                  .conditioning = condition,
-                 .found = {.ulps = judgement.ulps, .bits = bits_of(what), .what = what},
+                 .found = {.ulps = judgement.ulps, .bits = significant_bits(what), .what = what},
                  .build = build_line(tracer),
                  .source = std::move(source),
                  .seen = {}};

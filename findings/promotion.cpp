@@ -11,7 +11,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "analysis/bag_examine.h"
+#include "analysis/bag_shrink.h"
 #include "analysis/found_case.h"
 #include "analysis/shrink.h"
 #include "case/case_text.h"
@@ -78,14 +78,26 @@ namespace {
                   row.id, printable(row.tracer)));
 }
 
+// Of several triangles, of which fewer may be left.
+Case promoted_bag(const FindingRow& row, const Tracer& tracer) {
+  const auto shrunk = shrink_bag(row.worst.what, tracer);
+  if (!shrunk) fail_as_right(row);
+  Case simple = shrunk->what;
+  simple.provenance = row.worst.what.provenance;
+  simple.provenance.push_back(fmt::format(
+      "shrunk from {} triangles to {}, from {} to {} significant bits: severity {:.6g} ulps of the largest coordinate, "
+      "{}",
+      row.worst.what.bag.triangles.size(), simple.bag.triangles.size(), shrunk->bits_before, shrunk->bits_after,
+      shrunk->after.judgement.ulps, to_word(*signature(shrunk->after))));
+  set_finding(simple, row.tracer, row.kind);
+  return simple;
+}
+
 }  // namespace
 
 Case promoted(const FindingRow& row, const Tracer* tracer) {
   const Case& worst = row.worst.what;
-  if (tracer && worst.bag.triangles.size() > 1) {
-    if (!signature(examine_bag(*tracer, worst))) fail_as_right(row);
-    return worst;
-  }
+  if (tracer && worst.bag.triangles.size() > 1) return promoted_bag(row, *tracer);
   const auto input = tracer ? from_case(worst, Space::ray, tracer->info().contract.precision) : std::nullopt;
   if (!input) return worst;
   const auto shrunk = shrink(*input, *tracer, Keep::nominal);

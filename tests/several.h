@@ -6,7 +6,7 @@
 
 namespace plumbline {
 
-/// Crosses both triangles of a folded pair beside the edge that they share: 3.77e-16 of the height inside of triangle 1.
+/// Crosses both triangles of a folded pair beside the edge that they share: in triangle 1 by 3.77e-16 of its height.
 /// moller_trumbore_f64 misses both.
 inline const std::string leaking_pair =
     "case pair\n"

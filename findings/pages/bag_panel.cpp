@@ -48,10 +48,12 @@ std::string said(const FindingRow& row, const BagLook& l) {
             fmt::format("<th><th>{} says<th>the truth, t rounded", escaped(row.tracer)), rows);
   if (!l.now) return text;
   text += fmt::format("<p>The verdict: <strong>{}</strong>.{}</p>", name(l.now->judgement.verdict),
-                      l.now->culling ? " Asked with one of the triangles alone it hits it: the hit is lost in its boxes "
-                                       "or its traversal, not in its test of a triangle."
+                      l.now->culling ? " Asked with one of the triangles alone it hits it: the hit is lost in its "
+                                       "boxes or its traversal, not in its test of a triangle."
                                      : "");
-  if (!l.now->wrong()) text += "<p><strong>This build gets it right, or its promises leave it open.</strong></p>";
+  if (l.now->judgement.verdict == BagVerdict::correct) text += "<p><strong>This build gets it right.</strong></p>";
+  if (l.now->judgement.verdict == BagVerdict::unspecified)
+    text += "<p><strong>Its promises leave this open: no answer is wrong.</strong></p>";
   return text;
 }
 

@@ -56,7 +56,8 @@ TEST_F(CaseFiles, WhatCantBeJudgedIsTold) {
                     two = "case x\n" + geometry + "triangle 0 0 0  1 0 0  0 1 0\n";
   EXPECT_EQ(error_of([&] { cases_to_judge(empty); }), empty + ": no case in this file");
   EXPECT_EQ(cases_to_judge(write("two.case", two + "known t leak\nknown u wrong-nearest\n")).size(), 1u);
-  const std::string solid = write("solid.case", two + "mode solid\n"), told = write("told.case", two + "expect interior\n");
+  const std::string solid = write("solid.case", two + "mode solid\n");
+  const std::string told = write("told.case", two + "expect interior\n");
   EXPECT_EQ(error_of([&] { cases_to_judge(solid); }),
             solid + ": case 'x' is a solid of 2 triangles, and several are judged as surfaces; remove its line 'mode'");
   EXPECT_EQ(error_of([&] { cases_to_judge(told); }),

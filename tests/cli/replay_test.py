@@ -406,7 +406,8 @@ class Trouble(ReplayTest):
         for arguments, *parts in [
                 (("empty.case",), "empty.case", "no case in this file"), (("remark.case",), "no case in this file"),
                 (("none",), "none: no *.case file in this folder"), (("folder.case",), "no *.case file"),
-                (("missing.case",), "missing.case: cannot be opened"), (("two.case",), "case 'x' is a solid of 2 triangles"),
+                (("missing.case",), "missing.case: cannot be opened"),
+                (("two.case",), "case 'x' is a solid of 2 triangles"),
                 (("broken.case",), "broken.case:4:1: unknown key 'rya'"), (("fine.case", "two.case"), "two.case"),
                 (("fine.case", "--tracer", "nobody"), "unknown tracer 'nobody'"),
                 (("fine.case", "--tracer", "pipe:"), "no command"),

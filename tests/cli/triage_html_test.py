@@ -143,7 +143,8 @@ class TriageHtmlTest(unittest.TestCase):
         self.assert_trouble(self.html(self.scratch / "none.case"), "none.case")
         self.assert_trouble(self.html(self.write("case x\nray 1\n")), "x.case:2")
         two = "triangle 0 0 0  1 0 0  0 1 0\n" * 2
-        self.assert_trouble(self.html(self.write("case two\nmode solid\n" + two + "ray 0 0 1  0 0 -1\nknown exact leak\n")), "'two'", "a solid of 2 triangles")
+        solid = self.write("case two\nmode solid\n" + two + "ray 0 0 1  0 0 -1\nknown exact leak\n")
+        self.assert_trouble(self.html(solid), "'two'", "a solid of 2 triangles")
         self.assert_trouble(plumbline("triage", "html", self.write(THIRDS)), "--output")
         self.assert_trouble(self.html(), "PATH")
         self.assert_trouble(self.html(self.write(THIRDS), "--pages", "-1"), "--pages")

@@ -339,14 +339,16 @@ class Triage(TriageTest):
         for kind, finding in self.collect_several().items():
             folder = self.scratch / kind
             path = pathlib.Path(self.run_fine("promote", self.store, finding["id"], folder).strip())
-            self.assertIn(f"\nknown {TRACER} {kind}\n", path.read_text())
-            self.assertNotIn("expect", path.read_text())
+            text = path.read_text()
+            known = kind if text.count("\ntriangle ") > 1 else "false-miss"  # what a leak of one triangle is
+            self.assertIn(f"\nknown {TRACER} {known}\n", text)
+            self.assertIn("# shrunk from ", text)
             done = plumbline("replay", folder, "--tracer", TRACER)
             self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
             self.run_fine("promote", self.store, finding["id"], folder / "failing", "--failing")
             done = plumbline("replay", folder / "failing", "--tracer", TRACER)
             self.assertEqual(done.returncode, 1)
-            self.assertIn(f"new {kind}, severity ", done.stdout)
+            self.assertIn(f"new {known}, severity ", done.stdout)
 
     def test_hostile_names(self):
         self.judge("".join(FALSE_HIT % f',"tracer":{json.dumps(name)}' for name in HOSTILE))

@@ -24,7 +24,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-// Two triangles that share the edge from (1, 0, 0) to (0, 1, 0), and one behind them; the ray meets the edge's middle.
+// Two triangles that share the edge from (1, 0, 0) to (0, 1, 0), and one behind; the ray meets the edge's middle.
 const std::string square =
     "case square\ntriangle 0 0 0  1 0 0  0 1 0\ntriangle 1 0 0  1 1 0  0 1 0\n"
     "triangle -4 -4 -1  4 -4 -1  0 4 -1\nray 0.5 0.5 1  0 0 -1\n";
@@ -44,11 +44,10 @@ TEST(FoundBag, IsSignedByWhatIsHitFirst) {
   EXPECT_EQ(leak.found.what.bag.triangles.size(), 3u);
   EXPECT_EQ(leak.tracer, "fixed");
   EXPECT_EQ(leak.source, "a test");
-  // The tracer hits its one triangle alone, whichever it is: what it misses of three is lost on the way.
   Answer third = hit_at(2);
   third.triangle = 2;
   const FoundFinding behind = found({third}, square);
-  EXPECT_EQ(behind.signature, "wrong-nearest-edge-culling");
+  EXPECT_EQ(behind.signature, "wrong-nearest-edge");
   EXPECT_EQ(behind.kind, FindingKind::wrong_nearest);
   EXPECT_EQ(behind.found.ulps, 0x1p+50);  // 1, of which an ulp of 4 is 2^-50
   // Away from all but the third.
@@ -66,15 +65,25 @@ TEST(FoundBag, TellsWhatTheCaseIsIllConditionedBy) {
   EXPECT_EQ(thin.conditioning, Conditioning::sliver);
   EXPECT_EQ(thin.signature, "leak-interior-sliver");
   // The same beside a well-shaped triangle that is crossed first: the sliver doesn't matter.
-  EXPECT_EQ(found({a_miss}, sliver + "triangle -4 -4 0.5  4 -4 0.5  0 4 0.5\nray 0x1p-2 0x1p-14 1  0 0 -1\n").signature,
-            "leak-interior");
+  const std::string before = "triangle -4 -4 0.5  4 -4 0.5  0 4 0.5\n";
+  EXPECT_EQ(found({a_miss}, sliver + before + "ray 0x1p-2 0x1p-14 1  0 0 -1\n").signature, "leak-interior");
   // A false hit: of the triangle that is nearest to being hit.
   EXPECT_EQ(found({hit_at(1)}, sliver + "ray 9 0 1  0 0 -1\n").signature, "false-hit");
 }
 
+TEST(FoundBag, OfOneTriangleIsAFalseMiss) {
+  const Tracer& tracer = find_tracer("moller_trumbore_f64");
+  const Case what = case_of("case x\ntriangle 0 0 0  1 0 0  0 1 0\nray 0.25 0.25 1  0 0 -1\n");
+  const FoundFinding one =
+      found_bag_finding(tracer.info(), {.verdict = BagVerdict::leak}, {BagVerdict::leak, 1, 2}, what, "");
+  EXPECT_EQ(one.kind, FindingKind::false_miss);
+  EXPECT_EQ(one.found.ulps, 2);
+}
+
 TEST(FoundBag, IsNoVerdictOfHitsOneByOne) {
-  EXPECT_THROW(found_bag_finding(FixedTracer({a_miss}).info(), {.verdict = BagVerdict::double_hit}, {}, case_of(square), ""),
-               std::logic_error);
+  const FixedTracer tracer({a_miss});
+  const BagSignature doubled{.verdict = BagVerdict::double_hit};
+  EXPECT_THROW(found_bag_finding(tracer.info(), doubled, {}, case_of(square), ""), std::logic_error);
 }
 
 TEST(FoundBag, GoesThroughTheJournalUnchanged) {
@@ -118,9 +127,10 @@ TEST_F(FoundBagStore, IsPromotedWithItsKnownLine) {
   kept.tell(*ask_for_finding(tracer, case_of(leaking_pair + behind_the_pair), "a test"));
   const Case what = promoted(*kept.row(1), &tracer);
   EXPECT_THAT(what.known, ElementsAre(Known{"moller_trumbore_f64", VerdictKind::wrong_nearest}));
-  const auto again = ask_for_finding(tracer, what, "");
-  ASSERT_TRUE(again);
-  EXPECT_EQ(again->signature, kept.row(1)->signature);
+  EXPECT_GT(what.bag.triangles.size(), 1u);  // one alone has no other that could be first
+  EXPECT_THAT(what.provenance.back(),
+              AllOf(HasSubstr("shrunk from 3 triangles to "), HasSubstr("wrong-nearest-interior")));
+  EXPECT_EQ(ask_for_finding(tracer, what, "")->kind, FindingKind::wrong_nearest);
   EXPECT_THAT(error_of([&] { promoted(*kept.row(1), &find_tracer("exact")); }), HasSubstr("right now"));
 }
 
