@@ -32,7 +32,8 @@ struct Judgement {
 };
 
 constexpr bool wrong(VerdictKind verdict) {
-  return verdict == VerdictKind::false_miss || verdict == VerdictKind::false_hit;
+  return verdict == VerdictKind::false_miss || verdict == VerdictKind::false_hit || verdict == VerdictKind::leak ||
+         verdict == VerdictKind::wrong_nearest;
 }
 
 /// The answer to the ray of the case, put at the contract's precision. The bag holds exactly one triangle.

@@ -1,8 +1,11 @@
 #include "analysis/bag_examine.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "analysis/ask.h"
+#include "case/input_error.h"
 #include "oracle/judge.h"
 
 namespace plumbline {
@@ -24,6 +27,10 @@ std::vector<Answer> hits_alone(const Tracer& tracer, const Case& put, const BagT
 }  // namespace
 
 BagExamination examine_bag(const Tracer& tracer, const Case& asked) {
+  if (asked.bag.mode != BagMode::surface)
+    throw InputError(
+        fmt::format("case '{}' is a {} of {} triangles, and several are judged as surfaces; remove its line 'mode'",
+                    asked.id, name(asked.bag.mode), asked.bag.triangles.size()));
   const Contract& contract = tracer.info().contract;
   BagExamination e;
   e.put = put_at(asked, contract.precision);
@@ -31,11 +38,8 @@ BagExamination examine_bag(const Tracer& tracer, const Case& asked) {
   e.query = searched_ray(reply.query, contract);
   e.answer = reply.answer;
   e.died = !reply.conduct.deaths.empty();
+  e.conduct = reply.conduct;
   e.truth = bag_truth(e.put.bag.triangles, e.query);
-  if (e.truth.invalid != Invalid::none) {
-    e.judgement.verdict = BagVerdict::unspecified;
-    return e;
-  }
   e.judgement = judge_nearest({e.put.bag.triangles, e.query, e.truth, contract}, e.answer);
   const bool lost = e.judgement.verdict == BagVerdict::leak || e.judgement.verdict == BagVerdict::wrong_nearest;
   if (lost && e.put.bag.triangles.size() > 1)

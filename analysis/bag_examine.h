@@ -22,6 +22,7 @@ struct BagExamination {
   BagJudgement judgement;
   bool culling = false;  ///< wrong, and hit if asked with a triangle alone: lost in boxes or traversal
   bool died = false;     ///< the tracer, of this case
+  Conduct conduct;       ///< what it did beside
 
   bool wrong() const {
     return judgement.verdict != BagVerdict::correct && judgement.verdict != BagVerdict::unspecified &&
@@ -29,7 +30,7 @@ struct BagExamination {
   }
 };
 
-/// Asks with bags of its own. The triangles are finite, and at most 2^32 - 1; the bag is a surface.
+/// Asks with bags of its own. The triangles are at most 2^32 - 1. Throws InputError where they aren't surfaces.
 BagExamination examine_bag(const Tracer& tracer, const Case& asked);
 
 /// What makes two findings of one tracer in bags the same.

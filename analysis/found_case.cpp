@@ -25,17 +25,30 @@ bool is_word(std::string_view name) {
   return !name.empty() && std::ranges::all_of(name, [](char c) { return c > ' ' && c < 0x7f && c != '#'; });
 }
 
+std::optional<VerdictKind> verdict_of(FindingKind kind, std::size_t triangles) {
+  switch (kind) {
+    case FindingKind::false_miss: return VerdictKind::false_miss;
+    case FindingKind::false_hit: return VerdictKind::false_hit;
+    case FindingKind::leak: return triangles == 1 ? VerdictKind::false_miss : VerdictKind::leak;
+    case FindingKind::wrong_nearest: return VerdictKind::wrong_nearest;
+    case FindingKind::displaced:
+    case FindingKind::not_finite:
+    case FindingKind::death: break;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 void set_known(Case& found, std::string_view tracer, FindingKind kind) {
   found.known.clear();
   if (!is_word(tracer)) return;
-  if (kind == FindingKind::false_hit) found.known = {{std::string(tracer), VerdictKind::false_hit}};
-  if (kind == FindingKind::false_miss) found.known = {{std::string(tracer), VerdictKind::false_miss}};
+  const auto verdict = verdict_of(kind, found.bag.triangles.size());
+  if (verdict) found.known = {{std::string(tracer), *verdict}};
 }
 
 void set_finding(Case& found, std::string_view tracer, FindingKind kind) {
-  found.expect = expectation(found.bag.triangles.front(), found.ray);
+  if (found.bag.triangles.size() == 1) found.expect = expectation(found.bag.triangles.front(), found.ray);
   set_known(found, tracer, kind);
 }
 

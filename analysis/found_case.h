@@ -8,11 +8,11 @@
 
 namespace plumbline {
 
-/// Sets `known`: a line where the finding is a false miss or false hit and the tracer's name is one word, as .case files
-/// have it. No line stands for anything else.
+/// Sets `known`: a line where the finding is one of what is hit and what isn't, and the tracer's name is one word, as
+/// .case files have it. No line stands for anything else.
 void set_known(Case& found, std::string_view tracer, FindingKind kind);
 
-/// The same, and `expect`: what the oracle says of the one triangle and the ray.
+/// The same, and of one triangle `expect`: what the oracle says of it and the ray.
 void set_finding(Case& found, std::string_view tracer, FindingKind kind);
 
 /// "severity 12.5 ulps of the largest coordinate, ill-conditioned: far"

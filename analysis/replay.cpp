@@ -6,10 +6,12 @@
 #include <filesystem>
 
 #include "analysis/ask.h"
+#include "analysis/bag_examine.h"
 #include "analysis/signature.h"
 #include "analysis/tracers.h"
 #include "case/case_files.h"
 #include "case/shell_word.h"
+#include "oracle/bag/explain_bag.h"
 #include "oracle/explain.h"
 
 namespace plumbline {
@@ -67,6 +69,29 @@ class Replay {
   }
 
   ReplayResult on_answer(std::size_t which, std::size_t index, const Case& asked) {
+    return asked.bag.triangles.size() == 1 ? on_triangle(which, index, asked) : on_bag(which, index, asked);
+  }
+
+  ReplayResult on_bag(std::size_t which, std::size_t index, const Case& asked) {
+    const Tracer& tracer = *tracers_[index];
+    const BagExamination e = examine_bag(tracer, asked);
+    summary_.conduct[index] += e.conduct;
+    ReplayResult result;
+    result.which = which;
+    result.tracer = index;
+    result.verdict = verdict_kind(e.judgement.verdict);
+    result.known = known_as(asked, tracer.info().name);
+    if (e.wrong()) {
+      result.severity = {.length = e.judgement.length, .ulps = e.judgement.ulps, .condition = {}};
+      result.signature = to_word(*signature(e));
+    }
+    if (e.died) result.signature = name(FindingKind::death);
+    tell(result, e.died,
+         explain_bag_verdict({e.put.bag.triangles, e.query, e.truth, tracer.info().contract}, e.answer, e.judgement));
+    return result;
+  }
+
+  ReplayResult on_triangle(std::size_t which, std::size_t index, const Case& asked) {
     const Tracer& tracer = *tracers_[index];
     const Contract& contract = tracer.info().contract;
     const Case put = put_at(asked, contract.precision);
@@ -80,13 +105,17 @@ class Replay {
     result.known = known_as(asked, tracer.info().name);
     if (e.wrong()) result.severity = severity(e.triangle, e.query, e.answer.outcome == Outcome::hit, e.precision);
     if (e.wrong() || e.died) result.signature = to_word(*signature(e, asked.aim ? asked.aim->wish : Wish::none));
-    result.rule = rule_of(e.verdict, result.known);
-    if (!result.rule) return result;
-    result.message =
-        rule_message(e.verdict, result.known, result.severity) + (e.died ? " (it died of this case)" : "");
-    result.why = explain_verdict(e.triangle, e.query, e.answer, contract) +
-                 explain_command(summary_.cases[which], &tracer) + "\n";
+    tell(result, e.died, explain_verdict(e.triangle, e.query, e.answer, contract));
     return result;
+  }
+
+  // What there is to tell of a verdict, if anything.
+  void tell(ReplayResult& result, bool died, const std::string& why) const {
+    result.rule = rule_of(*result.verdict, result.known);
+    if (!result.rule) return;
+    result.message =
+        rule_message(*result.verdict, result.known, result.severity) + (died ? " (it died of this case)" : "");
+    result.why = why + explain_command(summary_.cases[result.which], tracers_[*result.tracer]) + "\n";
   }
 
   const std::vector<const Tracer*>& tracers_;

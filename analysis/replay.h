@@ -1,5 +1,6 @@
-// .case files as a regression test: the oracle derives each expectation again, and each tracer is judged, less the open
-// findings that the files list as `known`. What came out is told by reports/.
+// .case files as a regression test: the oracle derives each expectation again, and each tracer is judged, of several
+// triangles by what it hits first, less the open findings that the files list as `known`. What came out is told by
+// reports/.
 #pragma once
 #include <cstddef>
 #include <map>
@@ -27,8 +28,8 @@ struct ReplayResult {
   std::optional<std::size_t> tracer;   ///< of ReplaySummary::tracers
   std::optional<VerdictKind> verdict;  ///< on the answer
   std::optional<VerdictKind> known;    ///< as the file lists this tracer
-  std::optional<Severity> severity;    ///< of a wrong answer
-  std::string signature;               ///< of a wrong answer, as to_word has it (signature.h)
+  std::optional<Severity> severity;    ///< of a wrong answer; of several triangles without its condition
+  std::string signature;               ///< of a wrong answer, as to_word has it (signature.h, bag_examine.h)
   std::optional<ReplayRule> rule;      ///< none: as the file says
   std::string message;                 ///< one line on the rule
   std::string why;                     ///< several lines: contract, answer, severity; the command that explains
@@ -49,8 +50,8 @@ struct ReplaySummary {
 };
 
 /// `paths` are files and folders; folders are searched, at any depth, for *.case. All is read before a tracer is
-/// asked. Throws InputError where there is no case in a path, a file can't be read, or a case has other than one
-/// triangle.
+/// asked. Throws InputError where there is no case in a path, a file can't be read, or a case can't be judged
+/// (cases_to_judge).
 ReplaySummary replay(const std::vector<std::string>& paths, const std::vector<const Tracer*>& tracers);
 
 }  // namespace plumbline

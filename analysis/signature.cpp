@@ -34,7 +34,9 @@ std::optional<FindingKind> kind(const Examination& e) {
       if (displaced(e)) return FindingKind::displaced;
       return std::nullopt;
     case VerdictKind::unspecified:
-    case VerdictKind::fault: break;
+    case VerdictKind::fault:
+    case VerdictKind::leak:
+    case VerdictKind::wrong_nearest: break;
   }
   return std::nullopt;
 }
@@ -85,6 +87,12 @@ Element nearest(const Examination& e) {
   return std::ranges::min_element(exits, {}, &Exit::depth)->element;
 }
 
+bool on_boundary(const Truth& truth) {
+  return crosses(truth) && (truth.hit_class != HitClass::interior || truth.versus_t_min == 0 || truth.versus_t_max == 0);
+}
+
+}  // namespace
+
 std::pair<Conditioning, unsigned char> conditioning(const Examination& e) {
   const Margins& m = *e.margins;
   constexpr std::array<double, 4> limits = {0x1p-5, 0x1p-10, 0x1p-20, 0x1p-40};
@@ -95,12 +103,6 @@ std::pair<Conditioning, unsigned char> conditioning(const Examination& e) {
   if (m.condition().nominal()) return {Conditioning::far, bucket};
   return {least == m.sine ? Conditioning::grazing : least == m.altitude ? Conditioning::sliver : Conditioning::far, bucket};
 }
-
-bool on_boundary(const Truth& truth) {
-  return crosses(truth) && (truth.hit_class != HitClass::interior || truth.versus_t_min == 0 || truth.versus_t_max == 0);
-}
-
-}  // namespace
 
 std::uint32_t Signature::key() const {
   std::uint32_t k = static_cast<unsigned>(kind);

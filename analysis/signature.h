@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "analysis/examine.h"
 #include "case/case.h"
@@ -20,9 +21,11 @@ enum class FindingKind : unsigned char {
   displaced,   ///< a hit that is one, with t, u or v of a point farther off than 2^-10 of the triangle's longest edge
   not_finite,  ///< a hit that is one, with a t, u or v that is NaN or infinite
   death,       ///< a tracer in a child died of it
+  leak,           ///< of several triangles (oracle/bag/judge.h), as all below: a point that must be hit, and none is
+  wrong_nearest,  ///< a hit, but not the one that has to be first
 };
-inline constexpr std::array<std::string_view, 5> finding_kind_names = {"false-miss", "false-hit", "displaced",
-                                                                       "not-finite", "death"};
+inline constexpr std::array<std::string_view, 7> finding_kind_names = {
+    "false-miss", "false-hit", "displaced", "not-finite", "death", "leak", "wrong-nearest"};
 constexpr std::string_view name(FindingKind k) { return finding_kind_names[static_cast<unsigned>(k)]; }
 
 /// What the answer has wrong. Of a false hit: the edge or, beyond two edges, the vertex that the line passes by; the
@@ -56,6 +59,9 @@ struct Signature {
 
 /// No value where there is nothing to find: a right answer with finite numbers that are near the exact ones.
 std::optional<Signature> signature(const Examination& examination, Wish wish = Wish::none);
+
+/// Of an examination with margins; and the bucket, as the signature has it.
+std::pair<Conditioning, unsigned char> conditioning(const Examination& examination);
 
 /// How far t, u and v of a hit may be off without being displaced: as lengths 2^-10 of the longest edge; and t by a few
 /// of its own ulps, which of a small triangle far away may be more than that, or by what margins() may be off itself.

@@ -25,9 +25,15 @@ std::vector<PlacedCase> cases_to_judge(const std::string& file) {
   auto cases = read_placed_cases(file);
   if (cases.empty()) throw InputError(fmt::format("{}: no case in this file", file));
   for (const PlacedCase& one : cases)
-    if (const auto triangles = one.what.bag.triangles.size(); triangles != 1)
-      throw InputError(
-          fmt::format("{}: case '{}' has {} triangles; a verdict is on one", file, one.what.id, triangles));
+    if (const auto triangles = one.what.bag.triangles.size(); triangles > 1) {
+      if (one.what.bag.mode != BagMode::surface)
+        throw InputError(fmt::format(
+            "{}: case '{}' is a {} of {} triangles, and several are judged as surfaces; remove its line 'mode'", file,
+            one.what.id, name(one.what.bag.mode), triangles));
+      if (one.what.expect)
+        throw InputError(fmt::format("{}: case '{}' has {} triangles, and a line 'expect' is of one; remove it", file,
+                                     one.what.id, triangles));
+    }
   return cases;
 }
 

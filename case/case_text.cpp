@@ -173,7 +173,8 @@ Known read_known(Words& words) {
   known.tracer = words.take("the tracer's name");
   known.kind = words.take_name<VerdictKind>(verdict_kind_names, "verdict");
   if (known.kind == VerdictKind::correct || known.kind == VerdictKind::unspecified)
-    fail(words.place(), fmt::format("'{}' is no finding; write false-miss, false-hit or fault", name(known.kind)));
+    fail(words.place(), fmt::format("'{}' is no finding; write false-miss, false-hit, leak, wrong-nearest or fault",
+                                    name(known.kind)));
   return known;
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "analysis/ask.h"
+#include "analysis/bag_examine.h"
 #include "analysis/tracers.h"
 #include "case/case_text.h"
 #include "case/input_error.h"
@@ -14,6 +15,7 @@
 #include "cli/output.h"
 #include "cli/tracer_options.h"
 #include "cli/verb.h"
+#include "oracle/bag/explain_bag.h"
 
 namespace plumbline {
 namespace {
@@ -60,15 +62,32 @@ std::vector<Case> cases_of(const Options& options) {
   return cases;
 }
 
+// What is true of the triangles together, and the verdict on what is hit first.
+std::string text_of_several(const Case& put, const Tracer* tracer) {
+  const auto all = [&](const Query& query, const BagTruth& truth) {
+    return "\n" + explain_bag(put.bag.triangles, query, truth);
+  };
+  std::string text = "\nTogether:\n" + all(put.ray, bag_truth(put.bag.triangles, put.ray));
+  if (!tracer) return text;
+  const TracerInfo& info = tracer->info();
+  const BagExamination e = examine_bag(*tracer, put);
+  fmt::print(stderr, "{}", complaints(info.name, e.conduct));
+  text += fmt::format("\ntracer     {}\n", info.name);
+  if (info.own_queries) text += "\nThe tracer is asked this instead:\n" + all(e.query, e.truth) + "\n";
+  text += explain_bag_verdict({put.bag.triangles, e.query, e.truth, info.contract}, e.answer, e.judgement);
+  if (const auto found = signature(e)) text += fmt::format("signature  {}\n", to_word(*found));
+  if (e.culling)
+    text += "           asked with one of these triangles alone it hits it: lost in its boxes or traversal\n";
+  return text;
+}
+
 std::string text_of(const Case& asked, const Tracer* tracer) {
   std::string text = fmt::format("case {}\n", asked.id);
   for (const std::string& line : asked.provenance) text += fmt::format("# {}\n", line);
   const Case put = tracer ? put_at(asked, tracer->info().contract.precision) : asked;
   for (const Triangle& triangle : put.bag.triangles) text += "\n" + explain(triangle, put.ray);
+  if (put.bag.triangles.size() > 1) return text + text_of_several(put, tracer);
   if (!tracer) return text;
-  if (put.bag.triangles.size() != 1)
-    throw InputError(
-        fmt::format("case '{}' has {} triangles; a verdict is on one", asked.id, put.bag.triangles.size()));
   text += fmt::format("\ntracer     {}\n", tracer->info().name);
   const Reply reply = ask(*tracer, put);
   fmt::print(stderr, "{}", complaints(tracer->info().name, reply.conduct));
@@ -114,7 +133,9 @@ void add_explain(CLI::App& app) {
   add_tracer_timeout(*verb, options->foreign);
   verb->footer(
       "A number is a decimal, a hexfloat (0x1.8p+0), inf, -inf or nan. What is not finite makes the case invalid, but\n"
-      "for infinite ends of the range, and the reason is told. A .case file takes no nan.\n\n" +
+      "for infinite ends of the range, and the reason is told. A .case file takes no nan.\n"
+      "Of several triangles each is explained, then where the ray meets them, in exact order; a tracer is asked about\n"
+      "all of them at once, and judged by what it hits first.\n\n" +
       std::string(foreign_tracers_help) +
       "\nExample:\n"
       "  plumbline explain --triangle 0 0 0  1.5 0 0  0 1.5 0 --ray 0.75 0.75 5  0 0 -1 --tracer brlcad_bot_hlbvh");

@@ -113,7 +113,8 @@ bool run(const Options& options) {
     throw InputError(fmt::format("{}: nothing to judge; give one JSON object a line", options.stream.input));
 
   fmt::print(stderr, "{} answers", lines_read);
-  for (std::size_t i = 0; i < count.size(); ++i)
+  constexpr auto of_one_triangle = static_cast<std::size_t>(VerdictKind::leak);  // what is before it
+  for (std::size_t i = 0; i < of_one_triangle; ++i)
     fmt::print(stderr, "{} {} {}", i == 0 ? ":" : ",", count[i], verdict_kind_names[i]);
   fmt::print(stderr, "\n");
   judge.finish();

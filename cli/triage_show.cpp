@@ -2,24 +2,46 @@
 
 #include <memory>
 
+#include "analysis/bag_examine.h"
 #include "analysis/found_case.h"
+#include "analysis/tracers.h"
 #include "case/case_text.h"
 #include "case/input_error.h"
 #include "case/printable.h"
+#include "case/shell_word.h"
 #include "cli/output.h"
 #include "cli/triage.h"
 #include "findings/store.h"
+#include "oracle/bag/explain_bag.h"
 #include "oracle/explain.h"
 
 namespace plumbline {
 namespace {
 
-std::string text_of(std::string_view title, const FoundCase& found) {
-  return fmt::format("\n{}, {} significant bits\n\n{}\n{}", title, found.bits, to_text(found.what),
-                     explain(found.what.bag.triangles.front(), found.what.ray));
+// Of several triangles, and where this build has the tracer, what it says now.
+std::string explain_several(const Case& what, const Tracer* tracer) {
+  const std::vector<Triangle>& triangles = what.bag.triangles;
+  if (!tracer) return explain_bag(triangles, what.ray, bag_truth(triangles, what.ray));
+  const BagExamination e = examine_bag(*tracer, what);
+  return explain_bag(triangles, e.query, e.truth) +
+         explain_bag_verdict({triangles, e.query, e.truth, tracer->info().contract}, e.answer, e.judgement);
 }
 
-std::string text_of(const FindingRow& row) {
+std::string text_of(std::string_view title, const FindingRow& row, const FoundCase& found) {
+  const Case& what = found.what;
+  return fmt::format("\n{}, {} significant bits\n\n{}\n{}", title, found.bits, to_text(what),
+                     what.bag.triangles.size() == 1 ? explain(what.bag.triangles.front(), what.ray)
+                                                    : explain_several(what, tracer_named(row.tracer)));
+}
+
+// Of several triangles: how the tracer is asked again.
+std::string replay_command(const FindingRow& row, const std::string& store) {
+  if (row.worst.what.bag.triangles.size() == 1) return "";
+  return fmt::format("replay     plumbline promote {} {} regressions && plumbline replay regressions --tracer {}\n",
+                     shell_word(store), row.id, shell_word(row.tracer));
+}
+
+std::string text_of(const FindingRow& row, const std::string& store) {
   std::string text =
       fmt::format("finding    {}, {}{}\ntracer     {}\nsignature  {}\nkind       {}\nelement    {}\ncondition  {}\n",
                   row.id, status_text(row), row.is_new ? ", new" : "", printable(row.tracer),
@@ -29,8 +51,9 @@ std::string text_of(const FindingRow& row) {
                       severity_text(row.simplest.ulps, row.conditioning), row.simplest.bits);
   text += fmt::format("told       {} times, first {}, last {}\n", row.count, row.first_seen, row.last_seen);
   for (const std::string& build : row.builds) text += fmt::format("build      {}\n", printable(build));
-  if (row.worst.what == row.simplest.what) return text + text_of("Worst and simplest case", row.worst);
-  return text + text_of("Worst case", row.worst) + text_of("Simplest case", row.simplest);
+  text += replay_command(row, store);
+  if (row.worst.what == row.simplest.what) return text + text_of("Worst and simplest case", row, row.worst);
+  return text + text_of("Worst case", row, row.worst) + text_of("Simplest case", row, row.simplest);
 }
 
 }  // namespace
@@ -44,7 +67,9 @@ void add_triage_show(CLI::App& triage) {
   add_store(*verb, options->store)->required();
   verb->add_option("ID", options->id, "Of the finding, as triage lists it")->required();
   verb->footer(
-      "The cases are .case text: saved to a file, they go to explain --tracer, shrink and replay.\n"
+      "The cases are .case text: saved to a file, they go to explain --tracer, shrink and replay. Of several triangles "
+      "it\n"
+      "tells in which order the ray meets them, and what the tracer says, if this build has it.\n"
       "\nExample:\n"
       "  plumbline triage show found.db 1");
   verb->callback([options] {
@@ -54,7 +79,7 @@ void add_triage_show(CLI::App& triage) {
       throw InputError(
           fmt::format("{0}: no finding {1}; 'plumbline triage {0}' lists them", options->store, options->id));
     Output output;
-    output.write(text_of(*row));
+    output.write(text_of(*row, options->store));
     output.finish();
   });
 }

@@ -15,32 +15,46 @@
 #include "case/case_files.h"
 #include "case/case_text.h"
 #include "case/input_error.h"
+#include "findings/found.h"
 #include "findings/utc.h"
 
 namespace plumbline {
 namespace {
 
+// Of one triangle.
+std::optional<FoundFinding> found_in(const Tracer& tracer, Case put) {
+  const Examination e = Examiner(tracer).examine(put.bag.triangles.front(), put.ray);
+  const auto s = signature(e, put.aim ? put.aim->wish : Wish::none);
+  if (!s) return std::nullopt;
+  const auto input = from_case(put, Space::ray, put.precision);
+  FoundFinding f;
+  f.signature = to_word(*s);
+  f.kind = s->kind;
+  f.element = s->element;
+  f.conditioning = s->conditioning;
+  f.found = {.ulps = finding_ulps(e, *s), .bits = input ? significant_bits(*input) : 0, .what = std::move(put)};
+  return f;
+}
+
 // The case, put at the tracer's precision.
 void add(CaseRows& into, std::map<std::pair<std::string, std::string>, std::size_t>& places, const Tracer& tracer,
          Case put, const std::string& seen) {
-  const Examination e = Examiner(tracer).examine(put.bag.triangles.front(), put.ray);
-  const auto s = signature(e, put.aim ? put.aim->wish : Wish::none);
-  if (!s) {
+  auto finding = put.bag.triangles.size() == 1 ? found_in(tracer, std::move(put)) : ask_for_finding(tracer, put, "");
+  if (!finding) {
     ++into.right;
     return;
   }
-  const auto input = from_case(put, Space::ray, put.precision);
-  FoundCase found{.ulps = finding_ulps(e, *s), .bits = input ? significant_bits(*input) : 0, .what = std::move(put)};
-  const std::string &who = tracer.info().name, word = to_word(*s);
+  FoundCase& found = finding->found;
+  const std::string &who = tracer.info().name, &word = finding->signature;
   const auto [place, added] = places.emplace(std::pair(who, word), into.rows.size());
   if (added) {
     FindingRow row;
     row.id = static_cast<std::int64_t>(into.rows.size()) + 1;
     row.tracer = who;
     row.signature = word;
-    row.kind = s->kind;
-    row.element = s->element;
-    row.conditioning = s->conditioning;
+    row.kind = finding->kind;
+    row.element = finding->element;
+    row.conditioning = finding->conditioning;
     row.worst = row.simplest = found;
     row.first_seen = row.last_seen = seen;
     into.rows.push_back(std::move(row));
@@ -62,9 +76,6 @@ CaseRows rows_of_cases(const std::vector<CasePath>& paths) {
     for (const std::string& file : case_files(from.path)) {
       const std::string seen = time_of(file);
       for (const Case& c : read_cases(file)) {
-        if (c.bag.triangles.size() != 1)
-          throw InputError(
-              fmt::format("{}: case '{}' has {} triangles; a finding is of one", file, c.id, c.bag.triangles.size()));
         std::set<std::string> names;
         for (const Known& known : c.known) names.insert(known.tracer);
         if (!from.tracer.empty()) names.insert(from.tracer);

@@ -21,7 +21,8 @@ struct CaseRows {
   std::map<std::string, std::size_t> unknown;  ///< tracers that this build doesn't know, and their cases
 };
 
-/// Throws InputError where there is nothing to read, a file can't be read, or a case isn't one triangle.
+/// Throws InputError where there is nothing to read, a file can't be read, or a case has several
+/// triangles that aren't surfaces.
 CaseRows rows_of_cases(const std::vector<CasePath>& paths);
 
 /// Of a file, UTC, as finding_row.h has it.

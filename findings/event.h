@@ -15,7 +15,7 @@ struct FoundFinding {
   FindingKind kind = FindingKind::false_miss;
   Element element = Element::none;
   Conditioning conditioning = Conditioning::nominal;
-  FoundCase found;  ///< its case has one triangle; id, provenance, expectation and `known` are not kept: they follow
+  FoundCase found;  ///< id, provenance, expectation and `known` of its case are not kept: they follow
   std::string build;   ///< compiler, flags, versions
   std::string source;  ///< "fuzz: space ray, domain nominal, seed 1"
   std::string seen;    ///< UTC; empty: now

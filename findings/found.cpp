@@ -1,9 +1,13 @@
 #include "findings/found.h"
 
+#include <limits>
+
 #include "analysis/ask.h"
+#include "analysis/bag_shrink.h"
 #include "analysis/shrink.h"
 #include "case/case_bytes.h"
 #include "findings/build_line.h"
+#include "oracle/judge.h"
 
 namespace plumbline {
 
@@ -17,6 +21,61 @@ FoundFinding found_finding(const TracerInfo& tracer, const Signature& signature,
                  .element = signature.element,
                  .conditioning = signature.conditioning,
                  .found = {.ulps = ulps, .bits = significant_bits(numbers), .what = what},
+                 .build = build_line(tracer),
+                 .source = std::move(source),
+                 .seen = {}};
+  f.found.what.precision = tracer.contract.precision;
+  return f;
+}
+
+namespace {
+
+FindingKind kind(BagVerdict verdict, std::size_t triangles) {
+  switch (verdict_kind(verdict)) {
+    case VerdictKind::leak: return triangles == 1 ? FindingKind::false_miss : FindingKind::leak;
+    case VerdictKind::wrong_nearest: return FindingKind::wrong_nearest;
+    default: return FindingKind::false_hit;
+  }
+}
+
+Conditioning conditioning(const Case& what, const Contract& contract, BagVerdict verdict) {
+  const auto examined = [&](std::uint32_t triangle) {
+    return examine(what.bag.triangles[triangle], what.ray, what.ray, {}, contract);
+  };
+  Conditioning found = Conditioning::nominal;
+  if (verdict == BagVerdict::false_hit) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < what.bag.triangles.size(); ++i) {
+      const Examination e = examined(i);
+      if (!e.margins || !(e.margins->severity_ulps < least)) continue;
+      least = e.margins->severity_ulps;
+      found = conditioning(e).first;
+    }
+    return found;
+  }
+  const BagTruth truth = bag_truth(what.bag.triangles, searched_ray(what.ray, contract));
+  int worst = -1;
+  for (std::size_t i = 0; i < truth.nearest(); ++i) {
+    const auto [here, bucket] = conditioning(examined(truth.hits[i].triangle));
+    if (bucket <= worst) continue;
+    worst = bucket;
+    found = here;
+  }
+  return found;
+}
+
+}  // namespace
+
+FoundFinding found_bag_finding(const TracerInfo& tracer, const BagSignature& signature, const BagJudgement& judgement,
+                               const Case& what, std::string source) {
+  const Conditioning condition = conditioning(what, tracer.contract, signature.verdict);
+  std::string word = to_word(signature);
+  if (condition != Conditioning::nominal) word += "-" + std::string(name(condition));
+  FoundFinding f{.tracer = tracer.name,
+                 .signature = std::move(word),
+                 .kind = kind(signature.verdict, what.bag.triangles.size()),
+                 .conditioning = condition,
+                 .found = {.ulps = judgement.ulps, .bits = significant_bits(what), .what = what},
                  .build = build_line(tracer),
                  .source = std::move(source),
                  .seen = {}};
@@ -51,6 +110,12 @@ std::optional<FoundFinding> finding_in_answer(const TracerInfo& info, const Trac
 
 std::optional<FoundFinding> ask_for_finding(const Tracer& tracer, const Case& what, std::string source) {
   const Case put = put_at(what, tracer.info().contract.precision);
+  if (put.bag.triangles.size() > 1) {
+    const BagExamination e = examine_bag(tracer, put);
+    const auto found = signature(e);
+    if (!found) return std::nullopt;
+    return found_bag_finding(tracer.info(), *found, e.judgement, put, std::move(source));
+  }
   return signed_finding(asked_again(tracer, put), tracer.info(), put, std::move(source));
 }
 

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "analysis/bag_shrink.h"
 #include "analysis/found_case.h"
 #include "analysis/shrink.h"
 #include "case/case_text.h"
@@ -69,15 +70,38 @@ std::string content(const fs::path& path) {
 
 }  // namespace
 
+namespace {
+
+[[noreturn]] void fail_as_right(const FindingRow& row) {
+  throw InputError(
+      fmt::format("finding {}: {} gets its worst case right now; 'plumbline triage retest' closes what is fixed",
+                  row.id, printable(row.tracer)));
+}
+
+// Of several triangles, of which fewer may be left.
+Case promoted_bag(const FindingRow& row, const Tracer& tracer) {
+  const auto shrunk = shrink_bag(row.worst.what, tracer);
+  if (!shrunk) fail_as_right(row);
+  Case simple = shrunk->what;
+  simple.provenance = row.worst.what.provenance;
+  simple.provenance.push_back(fmt::format(
+      "shrunk from {} triangles to {}, from {} to {} significant bits: severity {:.6g} ulps of the largest coordinate, "
+      "{}",
+      row.worst.what.bag.triangles.size(), simple.bag.triangles.size(), shrunk->bits_before, shrunk->bits_after,
+      shrunk->after.judgement.ulps, to_word(*signature(shrunk->after))));
+  set_finding(simple, row.tracer, row.kind);
+  return simple;
+}
+
+}  // namespace
+
 Case promoted(const FindingRow& row, const Tracer* tracer) {
   const Case& worst = row.worst.what;
+  if (tracer && worst.bag.triangles.size() > 1) return promoted_bag(row, *tracer);
   const auto input = tracer ? from_case(worst, Space::ray, tracer->info().contract.precision) : std::nullopt;
   if (!input) return worst;
   const auto shrunk = shrink(*input, *tracer, Keep::nominal);
-  if (!shrunk)
-    throw InputError(
-        fmt::format("finding {}: {} gets its worst case right now; 'plumbline triage retest' closes what is fixed",
-                    row.id, printable(row.tracer)));
+  if (!shrunk) fail_as_right(row);
   Case simple = to_case(shrunk->input);
   simple.provenance = worst.provenance;
   const auto now = signature(shrunk->after);

@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
-
 #include "oracle/classify.h"
 #include "oracle/contact.h"
 #include "oracle/exact_case.h"
+#include "oracle/explain_lines.h"
 #include "oracle/judge.h"
 #include "oracle/round.h"
 #include "oracle/severity.h"
@@ -15,9 +14,6 @@ namespace plumbline {
 namespace {
 
 using namespace exact;
-
-std::string number(double x) { return fmt::format("{:<24} ({:a})", x, x); }
-std::string point(const Vec3& v) { return fmt::format("{:a} {:a} {:a}   ({}, {}, {})", v.x, v.y, v.z, v.x, v.y, v.z); }
 
 // In lowest form: an odd integer times a power of two.
 std::string dyadic(const Dyadic& x) {
@@ -32,20 +28,6 @@ std::string fraction(const Quotient& x) {
   const mpq_class r = to_mpq(x);
   return r.get_num().get_str() + "/" + r.get_den().get_str();
 }
-
-class Lines {
- public:
-  template <class... Args>
-  void add(std::string_view label, fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(text_), "{:<10} ", label);
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
-    text_ += '\n';
-  }
-  std::string take() { return std::move(text_); }
-
- private:
-  std::string text_;
-};
 
 ExactNumber exact_number(const Dyadic& x) { return {.exact = dyadic(x), .sign = x.sign()}; }
 
@@ -134,15 +116,11 @@ Certificate certificate(const Triangle& triangle, const Query& query) {
 }
 
 std::string explain(const Triangle& triangle, const Query& query) {
-  const Ray& ray = query.ray;
   Lines lines;
   lines.add("a", "{}", point(triangle.a));
   lines.add("b", "{}", point(triangle.b));
   lines.add("c", "{}", point(triangle.c));
-  lines.add("origin", "{}", point(ray.origin));
-  lines.add("direction", "{}", point(ray.direction));
-  if (query.has_tail()) lines.add("", "+ {}", point(query.direction_tail));
-  lines.add("range", "{:a} {:a}   ({}, {})", ray.t_min, ray.t_max, ray.t_min, ray.t_max);
+  add_query(lines, query);
   const Certificate c = certificate(triangle, query);
   if (c.truth.hit_class == HitClass::invalid) {
     lines.add("class", "invalid: {}", c.where);
@@ -162,7 +140,7 @@ std::string explain(const Triangle& triangle, const Query& query) {
     add_coordinate(lines, "u", *c.u);
     add_coordinate(lines, "v", *c.v);
   } else if (c.truth.hit_class != HitClass::parallel) {
-    add_contact(lines, ExactCase(triangle, query), ray);
+    add_contact(lines, ExactCase(triangle, query), query.ray);
   }
   lines.add("hit", "{}", !c.hit ? "open: contact without a crossing" : *c.hit ? "yes" : "no");
   return lines.take();
@@ -173,19 +151,14 @@ std::string explain_verdict(const Triangle& triangle, const Query& query, const 
   const Query searched = searched_ray(query, contract);
   const Truth truth = classify(triangle, searched);
   constexpr std::string_view duties[] = {"must hit", "must miss", "may do either"};
-  lines.add("contract", "{} inputs, edges {}, t range {} ({} at its start, {} at its end)", name(contract.precision),
-            name(contract.edges), name(contract.range), name(contract.t_min), name(contract.t_max));
+  add_contract(lines, contract);
   lines.add("asks", "{}", duties[static_cast<unsigned>(duty(triangle, query, truth, contract))]);
-  constexpr std::string_view outcomes[] = {"miss", "hit", "fault"};
-  lines.add("answer", "{}", outcomes[static_cast<unsigned>(answer.outcome)]);
-  if (answer.has_t) lines.add("", "t {}", number(answer.t));
-  if (answer.has_uv) lines.add("", "u {}   v {}", number(answer.u), number(answer.v));
-  if (answer.has_segment) lines.add("", "in {}   out {}", number(answer.in), number(answer.out));
+  add_answer(lines, answer);
   const VerdictKind verdict = judge(triangle, query, truth, answer, contract);
   lines.add("verdict", "{}", name(verdict));
   if (verdict == VerdictKind::false_hit || verdict == VerdictKind::false_miss) {
     if (const auto s = severity(triangle, searched, answer.outcome == Outcome::hit, contract.precision)) {
-      lines.add("severity", "{} = {} ulps of the largest coordinate", number(s->length), s->ulps);
+      add_severity(lines, s->length, s->ulps);
       lines.add("", "{}", condition_words(s->condition));
     }
   }

@@ -56,6 +56,8 @@ std::optional<ReplayRule> rule_of(VerdictKind verdict, std::optional<VerdictKind
     case VerdictKind::false_miss: return ReplayRule::false_miss;
     case VerdictKind::false_hit: return ReplayRule::false_hit;
     case VerdictKind::fault: return ReplayRule::fault;
+    case VerdictKind::leak: return ReplayRule::leak;
+    case VerdictKind::wrong_nearest: return ReplayRule::wrong_nearest;
     case VerdictKind::correct:
     case VerdictKind::unspecified: break;
   }

@@ -13,9 +13,17 @@
 namespace plumbline {
 
 /// What there may be to tell of a case. The words stay as they are: people's filters go by them.
-enum class ReplayRule : unsigned char { false_miss, false_hit, fault, known_now_passes, expectation_differs };
-inline constexpr std::array<std::string_view, 5> replay_rule_names = {"false-miss", "false-hit", "fault",
-                                                                      "known-now-passes", "expectation-differs"};
+enum class ReplayRule : unsigned char {
+  false_miss,
+  false_hit,
+  fault,
+  known_now_passes,
+  expectation_differs,
+  leak,
+  wrong_nearest,
+};
+inline constexpr std::array<std::string_view, 7> replay_rule_names = {
+    "false-miss", "false-hit", "fault", "known-now-passes", "expectation-differs", "leak", "wrong-nearest"};
 constexpr std::string_view name(ReplayRule r) { return replay_rule_names[static_cast<unsigned>(r)]; }
 
 /// What the truth has otherwise than the case expects, in one line; empty if nothing. The bag holds one triangle.

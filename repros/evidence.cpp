@@ -20,20 +20,13 @@ namespace {
 void require_one_valid_triangle(const Case& what) {
   if (what.bag.triangles.size() != 1)
     throw InputError(
-        fmt::format("case '{}' has {} triangles, and a program or proof is about one; export it as obj, ply or asc",
+        fmt::format("case '{}' has {} triangles, and a program is about one; export it as python-proof, obj, ply or "
+                    "asc",
                     what.id, what.bag.triangles.size()));
   const Truth truth = classify(what.bag.triangles.front(), what.ray);
   if (truth.hit_class == HitClass::invalid)
     throw InputError(
         fmt::format("case '{}': {}, so nothing is true of it; export another", what.id, reason(truth.invalid)));
-}
-
-void require_precision(const Case& what, Precision precision, std::string_view tracer) {
-  if (at_precision(what.bag, precision) == what.bag && at_precision(what.ray, precision) == what.ray) return;
-  throw InputError(
-      fmt::format("case '{}' has numbers that are not {}, which {} reads; round it ('plumbline generate CASE "
-                  "--precision {} | plumbline convert -'), or export it for a tracer that reads binary64",
-                  what.id, name(precision), tracer, name(precision)));
 }
 
 Duty with_slack(Duty duty, const Evidence& e) {
@@ -44,6 +37,14 @@ Duty with_slack(Duty duty, const Evidence& e) {
 }
 
 }  // namespace
+
+void require_precision(const Case& what, Precision precision, std::string_view tracer) {
+  if (at_precision(what.bag, precision) == what.bag && at_precision(what.ray, precision) == what.ray) return;
+  throw InputError(
+      fmt::format("case '{}' has numbers that are not {}, which {} reads; round it ('plumbline generate CASE "
+                  "--precision {} | plumbline convert -'), or export it for a tracer that reads binary64",
+                  what.id, name(precision), tracer, name(precision)));
+}
 
 Evidence gather(const Case& what, std::string_view tracer, const std::optional<Contract>& otherwise) {
   require_one_valid_triangle(what);
@@ -121,6 +122,10 @@ std::string headline(const Evidence& e) {
                          e.ulps);
     case FindingKind::not_finite: return fmt::format("{} hits rightly, but its t, u or v is no finite number.", who);
     case FindingKind::death: return fmt::format("{} dies of this ray.", who);
+    case FindingKind::leak:
+      return fmt::format("{} misses triangles of which the ray has to hit one: a leak{}.", who, by);
+    case FindingKind::wrong_nearest:
+      return fmt::format("{} hits another triangle than the ray has to hit first{}.", who, by);
   }
   return "";
 }

@@ -41,6 +41,9 @@ struct Evidence {
 /// to be one. Throws InputError where the case isn't one valid triangle in numbers of the contract's precision.
 Evidence gather(const Case& what, std::string_view tracer, const std::optional<Contract>& otherwise = std::nullopt);
 
+/// Throws InputError where a number isn't of the precision that `tracer`, words of a message, reads.
+void require_precision(const Case& what, Precision precision, std::string_view tracer);
+
 /// For programs, which ask again: throws InputError as well where the case is beyond what the tracer takes.
 Evidence gather_to_ask(const Case& what, std::string_view tracer,
                        const std::optional<Contract>& otherwise = std::nullopt);

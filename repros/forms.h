@@ -19,6 +19,7 @@ std::string c_plugin(const Case& what, std::string_view tracer);
 
 /// `tracer` may be any, or empty.
 std::string python_proof(const Case& what, std::string_view tracer);
+std::string python_bag_proof(const Case& what, std::string_view tracer);  ///< of several triangles
 
 // Scenes: any number of triangles.
 std::string obj(const Case& what);

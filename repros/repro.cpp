@@ -70,7 +70,8 @@ std::string to_repro(const Case& what, ReproForm form, std::string_view tracer) 
     case ReproForm::js_three: return js_three(what);
     case ReproForm::c_librt: return c_librt(what, asked);
     case ReproForm::c_plugin: return c_plugin(what, tracer);
-    case ReproForm::python_proof: return python_proof(what, tracer);
+    case ReproForm::python_proof:
+      return what.bag.triangles.size() == 1 ? python_proof(what, tracer) : python_bag_proof(what, tracer);
     case ReproForm::obj: return obj(what);
     case ReproForm::ply: return ply(what);
     case ReproForm::asc: return asc(what);

@@ -11,6 +11,7 @@
 #include "case/input_error.h"
 #include "case/real_text.h"
 #include "float_tracer/adapters/segment.h"
+#include "oracle/bag/explain_bag.h"
 #include "oracle/explain.h"
 #include "repros/forms.h"
 #include "repros/text.h"
@@ -42,7 +43,9 @@ std::string told(const Case& what) {
   for (const std::string& line : what.provenance) text += harmless(line) + "\n";
   text += fmt::format("ray from {} along {}, t from {} to {}\n", words(what.ray.origin), words(what.ray.direction),
                       shortest_decimal(what.ray.t_min), shortest_decimal(what.ray.t_max));
-  if (what.bag.triangles.size() == 1) text += explain(what.bag.triangles.front(), what.ray);
+  const std::vector<Triangle>& triangles = what.bag.triangles;
+  text += triangles.size() == 1 ? explain(triangles.front(), what.ray)
+                                : explain_bag(triangles, what.ray, bag_truth(triangles, what.ray));
   return text + "Read the numbers as doubles: each decimal is one exactly. The end of the ray's line is rounded.\n";
 }
 

@@ -29,6 +29,15 @@ constexpr std::array<RuleText, replay_rule_names.size()> rule_texts = {{
     {"ExpectationDiffers", "The case expects what is not the truth.",
      "The line 'expect' says otherwise than the oracle, which derives it again in every run. The case was edited, or "
      "its expectation was written by hand and is wrong: 'plumbline explain' has the exact numbers."},
+    {"Leak", "The tracer misses several triangles of which the ray hits one.",
+     "The ray, its numbers taken exactly, meets the triangles where by the tracer's contract one of them has to be "
+     "hit, inside of one or where they meet, and the tracer says that it hits none. The severity is how far the ray "
+     "would have to move to miss. See why with 'plumbline explain'; if it is to stay for now, add the line "
+     "'known TRACER leak' to the case."},
+    {"WrongNearest", "The tracer hits another triangle than the ray hits first.",
+     "The ray, its numbers taken exactly, hits one triangle, and the tracer says that it hits another. The severity "
+     "is the way along the ray between the two, if it crosses both. See why with 'plumbline explain'; if it is to stay "
+     "for now, add the line 'known TRACER wrong-nearest' to the case."},
 }};
 
 template <class Range, class Append>

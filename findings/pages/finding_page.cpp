@@ -14,6 +14,7 @@
 #include "case/input_error.h"
 #include "case/real_text.h"
 #include "case/shell_word.h"
+#include "findings/pages/bag_panel.h"
 #include "findings/pages/html.h"
 #include "findings/pages/look.h"
 #include "findings/pages/picture.h"
@@ -38,16 +39,6 @@ std::string exact_fraction(double x) {
     return exponent < 10 ? std::to_string(integer << exponent) : fmt::format("{} · 2^{}", integer, exponent);
   exponent = -exponent;
   return exponent < 10 ? fmt::format("{}/{}", integer, 1 << exponent) : fmt::format("{}/2^{}", integer, exponent);
-}
-
-std::string number_cell(std::string_view text) { return fmt::format("<td class=\"n\">{}", escaped(text)); }
-
-std::string table(std::string_view label, std::string_view head, std::string_view rows,
-                  std::string_view style = "scroll") {
-  return fmt::format(
-      "<div class=\"{}\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table><thead><tr>{}</tr></thead><tbody>{}"
-      "</tbody></table></div>",
-      style, escaped(label), head, rows);
 }
 
 std::string copied(std::string_view label, std::string_view id, std::string_view text) {
@@ -256,6 +247,8 @@ std::string opinion(const OtherOpinion& o) {
     case VerdictKind::correct: mark = "✓", words = "right", style = "right"; break;
     case VerdictKind::false_miss:
     case VerdictKind::false_hit:
+    case VerdictKind::leak:
+    case VerdictKind::wrong_nearest:
       mark = "✗", style = "wrong", words = o.ulps > 0 ? "wrong by " + in_ulps(o.ulps) : "wrong by its own rule";
       break;
     case VerdictKind::unspecified: mark = "–", words = "either will do"; break;
@@ -366,7 +359,10 @@ std::string facts(std::span<const FindingRow* const> ranks, const FindingRow& ro
   };
   fact("Status", status(ranks, row));
   fact("Kind", name(row.kind));
-  fact("Where", part_name(row.element));
+  if (const std::size_t triangles = row.worst.what.bag.triangles.size(); triangles > 1)
+    fact("Triangles", std::to_string(triangles));
+  else
+    fact("Where", part_name(row.element));
   fact("Condition", name(row.conditioning));
   fact("Seen", fmt::format("{} {}", row.count, row.count == 1 ? "time" : "times"));
   fact("First seen", when(row.first_seen));
@@ -429,19 +425,29 @@ FindingFiles finding_files(std::span<const FindingRow* const> ranks, std::size_t
   }
   const std::string name = tracer ? asked_for(*tracer) : row.tracer;
   const std::string file = page_name(row.id, "case"), who = shell_word(name);
+  const bool several = row.worst.what.bag.triangles.size() > 1;
   FindingFiles files;
   std::string panels, commands, lead;
   for (std::size_t k = 0; k < cases.size(); ++k) {
-    const Look l = look(*cases[k], row.kind, tracer);
-    lead = in_short(row, l);  // the worst comes last
-    panels += panel("The " + titles[k], row, *cases[k], l);
-    commands += copied(fmt::format("Explain the {}, no file needed", titles[k]), "explain-" + ids[k],
-                       explain_command(l, name));
+    if (several) {
+      const BagLook l = look_at_several(*cases[k], tracer);
+      lead = in_short(row, l);  // the worst comes last
+      panels += panel("The " + titles[k], row, *cases[k], l);
+      commands += copied(fmt::format("Explain the {}", titles[k]), "explain-" + ids[k],
+                         fmt::format("plumbline explain {} --id finding-{}-{} --tracer {}", file, row.id, ids[k], who));
+    } else {
+      const Look l = look(*cases[k], row.kind, tracer);
+      lead = in_short(row, l);
+      panels += panel("The " + titles[k], row, *cases[k], l);
+      commands += copied(fmt::format("Explain the {}, no file needed", titles[k]), "explain-" + ids[k],
+                         explain_command(l, name));
+    }
     files.cases += (k > 0 ? "\n" : "") + case_text(row, *cases[k], fmt::format("finding-{}-{}", row.id, ids[k]));
   }
-  commands += copied("Ask again", "replay", fmt::format("plumbline replay {} --tracer {}", file, who)) +
-              copied("Make it simpler", "shrink",
-                     fmt::format("plumbline shrink {} --id finding-{}-worst --tracer {}", file, row.id, who));
+  commands += copied("Ask again", "replay", fmt::format("plumbline replay {} --tracer {}", file, who));
+  if (!several)
+    commands += copied("Make it simpler", "shrink",
+                       fmt::format("plumbline shrink {} --id finding-{}-worst --tracer {}", file, row.id, who));
   const std::string wrong = what_is_wrong(row);
   const std::string body =
       fmt::format(

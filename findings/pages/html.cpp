@@ -1,5 +1,7 @@
 #include "findings/pages/html.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -37,6 +39,15 @@ std::string json_in_html(std::string json) {
   }
   return out;
 }
+
+std::string table(std::string_view label, std::string_view head, std::string_view rows, std::string_view style) {
+  return fmt::format(
+      "<div class=\"{}\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table><thead><tr>{}</tr></thead><tbody>{}"
+      "</tbody></table></div>",
+      style, escaped(label), head, rows);
+}
+
+std::string number_cell(std::string_view text) { return fmt::format("<td class=\"n\">{}", escaped(text)); }
 
 std::string filled(std::string_view page,
                    std::initializer_list<std::pair<std::string_view, std::string_view>> values) {

@@ -14,6 +14,11 @@ std::string escaped(std::string_view text);
 /// JSON for the contents of a script element: no '<' is left in it that could end the element.
 std::string json_in_html(std::string json);
 
+/// A table that scrolls by itself; head and rows are HTML.
+std::string table(std::string_view label, std::string_view head, std::string_view rows,
+                  std::string_view style = "scroll");
+std::string number_cell(std::string_view text);
+
 /// The template with each {{name}} replaced by its value, once: values aren't looked at again. Every name has to be
 /// there.
 std::string filled(std::string_view page,

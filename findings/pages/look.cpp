@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "analysis/bag_examine.h"
 #include "case/float_bits.h"
 #include "case/precision.h"
 #include "oracle/judge.h"
@@ -44,6 +45,15 @@ Neighbours neighbours(const Triangle& triangle, const Ray& ray, const Tracer& tr
   return n;
 }
 
+OtherOpinion opinion_on_several(const Case& asked, const Tracer& tracer) {
+  const BagExamination e = examine_bag(tracer, asked);
+  return {.outcome = e.answer.outcome,
+          .verdict = verdict_kind(e.judgement.verdict),
+          .ulps = e.judgement.ulps,
+          .rounded = e.put.bag != asked.bag || e.put.ray != asked.ray,
+          .own_query = e.query != searched_ray(e.put.ray, tracer.info().contract)};
+}
+
 }  // namespace
 
 Look look(const FoundCase& found, FindingKind kind, const Tracer* tracer) {
@@ -75,6 +85,10 @@ Look look(const FoundCase& found, FindingKind kind, const Tracer* tracer) {
 std::vector<OtherOpinion> opinions(const Case& asked, std::span<const Tracer* const> tracers) {
   std::vector<OtherOpinion> all;
   for (const Tracer* const tracer : tracers) {
+    if (asked.bag.triangles.size() > 1) {
+      all.push_back(opinion_on_several(asked, *tracer));
+      continue;
+    }
     const Contract& contract = tracer->info().contract;
     const Case put = put_at(asked, contract.precision);
     const Reply reply = ask(*tracer, asked);

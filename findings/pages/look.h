@@ -40,7 +40,7 @@ struct Look {
 /// The case has one triangle. `tracer` may be null.
 Look look(const FoundCase& found, FindingKind kind, const Tracer* tracer);
 
-/// What one tracer makes of the case.
+/// What one tracer makes of the case, of one triangle or several.
 struct OtherOpinion {
   Outcome outcome = Outcome::miss;
   VerdictKind verdict = VerdictKind::correct;

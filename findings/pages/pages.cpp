@@ -1,10 +1,7 @@
 #include "findings/pages/pages.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include "case/input_error.h"
 #include "findings/pages/finding_page.h"
 #include "findings/pages/list_page.h"
 
@@ -31,11 +28,6 @@ void write_pages(std::span<const FindingRow> rows, std::span<const SearchRow> se
                  const std::function<void(const std::string& name, const std::string& text)>& write) {
   const auto ranks = ranked(rows);
   const auto paged = std::span(ranks).first(std::min(options.pages, ranks.size()));
-  for (const FindingRow* const row : paged)
-    for (const FoundCase* const found : {&row->worst, &row->simplest})
-      if (found->what.bag.triangles.size() != 1)
-        throw InputError(fmt::format("finding {}: case '{}' has {} triangles; a page tells of one", row->id,
-                                     found->what.id, found->what.bag.triangles.size()));
   for (std::size_t rank = 0; rank < paged.size(); ++rank) {
     const FindingFiles files = finding_files(paged, rank, options);
     write(page_name(paged[rank]->id, "case"), files.cases);

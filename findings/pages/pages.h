@@ -26,7 +26,8 @@ struct PageOptions {
 };
 
 /// Calls write(name, text) for each file: finding-ID.html and finding-ID.case of each finding that gets a page, at
-/// last index.html, so that what it names is there. Throws InputError where a case isn't one triangle.
+/// last index.html, so that what it names is there. Throws InputError where several triangles
+/// aren't surfaces.
 void write_pages(std::span<const FindingRow> rows, std::span<const SearchRow> searches, const PageOptions& options,
                  const std::function<void(const std::string& name, const std::string& text)>& write);
 

@@ -411,4 +411,47 @@ Picture disagreement(const FindingRow& row, const Look& look) {
   return at_plane ? from_the_side(row, look) : from_along_the_ray(row, look);
 }
 
+Picture along_the_ray(std::span<const Triangle> triangles, const Query& query, const BagTruth& truth) {
+  const auto& [o, direction, t_min, t_max] = query.ray;
+  const double long_axis = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+  const Vec3 d{direction.x / long_axis, direction.y / long_axis, direction.z / long_axis};
+  const auto times = [](const Vec3& p, const Vec3& q) {
+    return Vec3{p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+  };
+  const auto along = [](const Vec3& p, const Vec3& q) { return p.x * q.x + p.y * q.y + p.z * q.z; };
+  const auto unit = [&](const Vec3& p) {
+    const double l = std::sqrt(along(p, p));
+    return Vec3{p.x / l, p.y / l, p.z / l};
+  };
+  const Vec3 right = unit(std::abs(d.y) < 0.9 ? times(d, {0, 1, 0}) : times(d, {1, 0, 0}));
+  const Vec3 up = unit(times(right, d));
+  std::vector<std::vector<Point2>> seen;
+  Point2 low{0, 0}, high{0, 0};
+  for (const Triangle& t : triangles) {
+    seen.emplace_back();
+    for (const Vec3& v : {t.a, t.b, t.c}) {
+      const Vec3 from{v.x - o.x, v.y - o.y, v.z - o.z};
+      const Point2 p{along(from, right), along(from, up)};
+      if (!finite(p)) return {};
+      seen.back().push_back(p);
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  }
+  const double scale = std::min((width - 60) / (high.x - low.x), (height - 60) / (high.y - low.y));
+  if (!is_finite(scale) || !(scale > 0)) return {};
+  const Point2 middle = 0.5 * (low + high);
+  Drawing drawing({width / 2 - scale * middle.x, height / 2 + scale * middle.y}, scale);
+  for (std::size_t i = 0; i < truth.nearest(); ++i) drawing.polygon(seen[truth.hits[i].triangle], "inner");
+  for (const std::vector<Point2>& corners : seen) drawing.polygon(corners, "hollow");
+  drawing.dot({0, 0}, "ray");
+  constexpr std::size_t most_names = 12;
+  if (seen.size() <= most_names)
+    for (std::size_t i = 0; i < seen.size(); ++i)
+      drawing.text(1.0 / 3 * (seen[i][0] + seen[i][1] + seen[i][2]), 0, 4, std::to_string(i), "corner");
+  return {drawing.take("The triangles, seen along the ray"),
+          fmt::format("The triangles, seen along the ray, which is the dot.{}",
+                      truth.hits.empty() ? "" : " Filled is what it crosses first.")};
+}
+
 }  // namespace plumbline

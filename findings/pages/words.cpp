@@ -39,6 +39,7 @@ std::string what_is_wrong(const FindingRow& row) {
   const bool boundary = row.signature.find("-exactly-") != std::string::npos;
   switch (row.kind) {
     case FindingKind::false_hit:
+      if (row.worst.what.bag.triangles.size() > 1) return "reports a hit where the ray misses";
       if (boundary) return fmt::format("calls this a hit; the ray meets {} exactly, where it promises a miss", part);
       switch (row.element) {
         case Element::plane: return "calls this a hit; the ray runs beside the triangle's plane and never meets it";
@@ -66,6 +67,8 @@ std::string what_is_wrong(const FindingRow& row) {
                                            : "hits rightly, but with a u and v of another point of the triangle";
     case FindingKind::not_finite: return "hits rightly, but with a t, u or v that is no finite number";
     case FindingKind::death: return "dies of this case";
+    case FindingKind::leak: return "misses triangles of which the ray has to hit one";
+    case FindingKind::wrong_nearest: return "hits another triangle than the ray has to hit first";
   }
   return "";
 }

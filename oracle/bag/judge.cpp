@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "case/float_bits.h"
@@ -284,6 +286,18 @@ std::optional<BagVerdict> settled(const BagQuestion& q, std::span<const Answer> 
 }
 
 }  // namespace
+
+VerdictKind verdict_kind(BagVerdict verdict) {
+  switch (verdict) {
+    case BagVerdict::correct: return VerdictKind::correct;
+    case BagVerdict::leak: return VerdictKind::leak;
+    case BagVerdict::false_hit: return VerdictKind::false_hit;
+    case BagVerdict::wrong_nearest: return VerdictKind::wrong_nearest;
+    case BagVerdict::unspecified: return VerdictKind::unspecified;
+    case BagVerdict::fault: return VerdictKind::fault;
+    default: throw std::logic_error("no verdict on what is hit first: " + std::string(name(verdict)));
+  }
+}
 
 BagJudgement judge_nearest(const BagQuestion& question, const Answer& answer) {
   const DefaultControls controls;

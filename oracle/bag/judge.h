@@ -20,6 +20,7 @@
 #include "case/answer.h"
 #include "case/contract.h"
 #include "case/query.h"
+#include "case/verdict.h"
 #include "oracle/bag/bag_truth.h"
 #include "oracle/bag/segments.h"
 
@@ -42,6 +43,9 @@ inline constexpr std::array<std::string_view, 10> bag_verdict_names = {
     "correct",     "leak",         "false-hit",       "wrong-nearest", "double-hit",
     "wrong-order", "wrong-parity", "wrong-thickness", "unspecified",   "fault"};
 constexpr std::string_view name(BagVerdict v) { return bag_verdict_names[static_cast<unsigned>(v)]; }
+
+/// A verdict of judge_nearest as .case files call it. Throws std::logic_error for one that it doesn't give.
+VerdictKind verdict_kind(BagVerdict verdict);
 
 struct BagJudgement {
   BagVerdict verdict = BagVerdict::correct;

@@ -273,7 +273,7 @@ TEST(Signature, KeysAndWordsTellAllApart) {
                   ASSERT_TRUE(std::islower(c) || std::isdigit(c) || c == '-' || c == '_') << word;
                 words.insert(word);
               }
-  EXPECT_EQ(all, 50000u);
+  EXPECT_EQ(all, 70000u);
   EXPECT_EQ(keys.size(), all);
   EXPECT_EQ(words.size(), all);
 }

@@ -53,9 +53,15 @@ TEST_F(CaseFiles, CasesKnowTheirLines) {
 TEST_F(CaseFiles, WhatCantBeJudgedIsTold) {
   EXPECT_EQ(cases_to_judge(write("fine.case", "case x\n" + geometry)).size(), 1u);
   const std::string empty = write("empty.case", "# nothing\n"),
-                    two = write("two.case", "case x\n" + geometry + "triangle 0 0 0  1 0 0  0 1 0\n");
+                    two = "case x\n" + geometry + "triangle 0 0 0  1 0 0  0 1 0\n";
   EXPECT_EQ(error_of([&] { cases_to_judge(empty); }), empty + ": no case in this file");
-  EXPECT_EQ(error_of([&] { cases_to_judge(two); }), two + ": case 'x' has 2 triangles; a verdict is on one");
+  EXPECT_EQ(cases_to_judge(write("two.case", two + "known t leak\nknown u wrong-nearest\n")).size(), 1u);
+  const std::string solid = write("solid.case", two + "mode solid\n");
+  const std::string told = write("told.case", two + "expect interior\n");
+  EXPECT_EQ(error_of([&] { cases_to_judge(solid); }),
+            solid + ": case 'x' is a solid of 2 triangles, and several are judged as surfaces; remove its line 'mode'");
+  EXPECT_EQ(error_of([&] { cases_to_judge(told); }),
+            told + ": case 'x' has 2 triangles, and a line 'expect' is of one; remove it");
   EXPECT_THAT(error_of([&] { cases_to_judge(folder() + "/none.case"); }),
               EndsWith("cannot be opened: No such file or directory"));
 }

@@ -173,7 +173,7 @@ TEST(CaseText, ErrorsNameThePlaceAndTheFix) {
   EXPECT_EQ(error_in("case x\nknown t false_miss\n"),
             "f.case:2:9: unknown verdict 'false_miss'; did you mean 'false-miss'?");
   EXPECT_EQ(error_in("case x\nknown t correct\n"),
-            "f.case:2:9: 'correct' is no finding; write false-miss, false-hit or fault");
+            "f.case:2:9: 'correct' is no finding; write false-miss, false-hit, leak, wrong-nearest or fault");
   EXPECT_EQ(error_in("case x\n" + g + "range 0.1 1\nprecision binary32\n"),
             "f.case:4:7: 0x1.999999999999ap-4 is no binary32 number; round it, or write 'precision binary64'");
   EXPECT_THAT(error_of([] { read_cases("/no/such/file.case"); }),

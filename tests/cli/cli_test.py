@@ -275,7 +275,7 @@ class Replay(CliTest):
         self.assert_trouble(self.replay(self.CASE.replace("0.25", "nan")), "x.case:3:5: a NaN")
         self.assert_trouble(self.replay(self.CASE.replace("ray", "rya")),
                             "x.case:3:1: unknown key 'rya'; did you mean 'ray'?")
-        self.assert_trouble(self.replay(self.CASE + "triangle 0 0 0 1 0 0 0 0 1"), "case 'x' has 2 triangles")
+        self.assert_trouble(self.replay(self.CASE + "triangle 0 0 0 1 0 0 0 0 1\nmode solid"), "a solid of 2 triangles")
         self.assert_trouble(self.replay(question(1, "[0,0,1]")), "x.case:1:1: this is JSON, and .case text is expected")
         self.assert_trouble(self.replay("x" * 100), "x.case:1:1: unknown key '" + "x" * 40 + "...'; known: case,")
         self.assert_trouble(self.replay(""), "no case in this file")

@@ -327,12 +327,48 @@ class Trouble(ExportTest):
             self.assertIn(form, done.stdout)
         self.assertIn("Example", done.stdout)
 
+    def test_a_proof_of_several_triangles(self):
+        pair = ("case pair\ntriangle -0.5 0.25 -0.5  -0.25 0.75 -1.5  0 -1.5 1.5\n"
+                "triangle -0.25 0.75 -1.5  -0.5 0.25 -0.5  -1.5 0.5 -0.25\n%s"
+                "ray 2 0.5 -3.5  -0x1.35873d0340b42p+1 -0x1.61cf40d02d088p-4 0x1.561cf40d02d08p+1\n")
+        behind = "triangle -9 -5 2  3 -5 2  -3 9 2\n"
+        square = ("case square\ntriangle 0 0 0  1 0 0  0 1 0\ntriangle 1 0 0  1 1 0  0 1 0\n"
+                  "triangle 0 0 0  1 0 0  0 0 1\nray 0.5 0.5 1  0 0 -1\nrange 0 1\n")
+        for text, tracer, said, truth in (
+                (pair % "", "moller_trumbore_f64", "a miss", "the ray crosses 2 of them, first "),
+                (pair % behind, "moller_trumbore_f64", "of triangle 2", "the ray crosses 3 of them, first "),
+                (square, "exact", "of triangle 0", "the ray crosses 2 of them, first [0, 1]."),
+                (square.replace("range 0 1", "range 2 3"), "", None, "the ray crosses none.")):
+            with self.subTest(text=text):
+                options = ["--tracer", tracer] if tracer else []
+                proof = plumbline("export", self.write(text), "--as", "python-proof", *options)
+                self.assertEqual((proof.returncode, proof.stderr), (0, ""))
+                done = subprocess.run(["/usr/bin/python3", "-c", proof.stdout], capture_output=True, text=True)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertIn("Truth: " + truth, done.stdout)
+                self.assertEqual("It said" in done.stdout, said is not None)
+                self.assertIn(said or "", done.stdout)
+                self.assertEqual("That is wrong" in done.stdout, tracer.startswith("moller"))
+                # A proof of something else doesn't hold.
+                forged = proof.stdout.replace('== [(', '== [(7, "vertex a"), (') if said else proof.stdout.replace(
+                    "== []", '== [(0, "interior")]')
+                self.assertNotEqual(subprocess.run(["/usr/bin/python3", "-c", forged], capture_output=True).returncode, 0)
+
     def test_what_cannot_be_told(self):
         output = self.scratch / "out"
         output.write_text("as before")
         two = self.write(HIT + UNIT)
-        done = plumbline("export", two, "--as", "python-proof", "-o", output)
-        self.assert_trouble(done, "2 triangles", "obj")
+        for form in FORMS:
+            if form not in ("python-proof", "obj", "ply", "asc"):
+                done = plumbline("export", two, "--as", form, "-o", output)
+                self.assertEqual((done.returncode, output.read_text()), (2, "as before"), form)
+        for form, mark in (("obj", "f 4 5 6"), ("ply", "element face 2"), ("asc", "F { { 0 1 2 } { 3 4 5 } }")):
+            done = plumbline("export", two, "--as", form)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn(mark, done.stdout)
+            self.assertIn("crossed    2 of 2 triangles", done.stdout)
+        done = plumbline("export", two, "--as", "cpp-plain", "-o", output)
+        self.assert_trouble(done, "2 triangles", "python-proof, obj")
         self.assertEqual(output.read_text(), "as before")
         tenth = self.write(HIT.replace("precision binary32\n", "").replace("0.25 0.25", "0.1 0.25"))
         done = plumbline("export", tenth, "--as", "cpp-plain", "--tracer", "plucker_f32")

@@ -23,6 +23,11 @@ HAIR = b"case %b\ntriangle 0 0 1  0 0 -0x1.ffffffffffffep+0  1 0 0\nray 0 0 -2  
 WRONG = "moller_trumbore_f64"
 # Goes through the interior.
 PLAIN = b"case %b\ntriangle 0 0 0  1 0 0  0 1 0\nray 0.25 0.25 1  0 0 -1\n"
+# Crosses both triangles of a pair beside their edge; the same test misses both, and hits what lies behind.
+PAIR = (b"case %b\ntriangle -0.5 0.25 -0.5  -0.25 0.75 -1.5  0 -1.5 1.5\n"
+        b"triangle -0.25 0.75 -1.5  -0.5 0.25 -0.5  -1.5 0.5 -0.25\n"
+        b"ray 2 0.5 -3.5  -0x1.35873d0340b42p+1 -0x1.61cf40d02d088p-4 0x1.561cf40d02d08p+1\n")
+BEHIND = b"triangle -9 -5 2  3 -5 2  -3 9 2\n"
 INVALID = b"case %b\ntriangle 0 0 0  1 0 0  0 inf 0\nray 0.25 0.25 1  0 0 -1\n"  # which `exact` doesn't answer
 
 MIXED = b"\n".join([
@@ -335,13 +340,64 @@ class Hostile(ReplayTest):
                          sorted([self.FOLDER, "bin", "hits.py", "junit.xml", "x.ndjson", "x.sarif"]))
 
 
+class SeveralTriangles(ReplayTest):
+    def replayed(self, *cases, code):
+        self.write("several.case", b"\n".join(cases))
+        done = self.replay("several.case", "--tracer", WRONG, "--tracer", "exact", code=code)
+        return done, self.rows()
+
+    def test_the_first_hit_is_judged(self):
+        done, rows = self.replayed(PAIR % b"leak", PAIR % b"behind" + BEHIND, HAIR % b"beside" + BEHIND, code=1)
+        for id, rule, signature in (("leak", "leak", "leak-interior"),
+                                    ("behind", "wrong-nearest", "wrong-nearest-interior"),
+                                    ("beside", "false-hit", "false-hit")):
+            row = rows[id, WRONG]
+            self.assertEqual((row["rule"], row["verdict"], row["signature"], row["as_stated"]),
+                             (rule, rule, signature, False))
+            self.assertGreater(row["severity"], 0)
+            self.assertRegex(row["message"], rf"\Anew {rule}, severity \S+ \(\S+ ulps\)\Z")
+            self.assertEqual((rows[id, "exact"]["verdict"], rows[id, "exact"]["rule"]), ("correct", None))
+        self.assertEqual(len(done.stdout.splitlines()), 3)
+        rules = {result["ruleId"] for result in self.sarif()["results"]}
+        self.assertEqual(rules, {"leak", "wrong-nearest", "false-hit"})
+        failures = [f for f in self.junit().iter("failure")]
+        self.assertEqual([f.get("type") for f in failures], ["leak", "wrong-nearest", "false-hit"])
+        self.assertIn("plumbline explain several.case --id leak --tracer " + WRONG, failures[0].text)
+
+    def test_known_lines(self):
+        _, rows = self.replayed(PAIR % b"listed" + b"known moller_trumbore_f64 leak\n",
+                                PAIR % b"other" + BEHIND + b"known moller_trumbore_f64 wrong-nearest\n", code=0)
+        self.assertEqual({row["known"] for row in rows.values()}, {"leak", "wrong-nearest", None})
+        done, rows = self.replayed(PAIR % b"changed" + BEHIND + b"known moller_trumbore_f64 leak\n",
+                                   PAIR % b"gone" + b"known exact leak\nknown moller_trumbore_f64 leak\n", code=1)
+        self.assertEqual(rows["changed", WRONG]["rule"], "wrong-nearest")
+        self.assertEqual(rows["gone", "exact"]["rule"], "known-now-passes")
+        self.assertIn("known as leak, it is now correct; remove the line 'known'", done.stdout)
+
+    def test_explain_has_the_reason(self):
+        self.write("several.case", PAIR % b"pair" + BEHIND)
+        done = self.run_program("explain", "several.case", "--tracer", WRONG)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for line in (r"crossed    3 of 3 triangles, which are counted from 0; in the exact order of t",
+                     r"hit 1      t = \d+/\d+", r"hit 3      t = \d+/\d+",
+                     r"           triangle 2: interior, from the (front|back)",
+                     r"answer     hit", r"verdict    wrong-nearest: another triangle has to be hit first",
+                     r"severity   \S+ .* ulps of the largest coordinate", r"signature  wrong-nearest-interior"):
+            self.assertRegex(done.stdout, "(?m)^" + line)
+        alone = self.run_program("explain", "several.case")
+        self.assertIn("crossed    3 of 3", alone.stdout)
+        self.assertNotIn("verdict", alone.stdout)
+        self.write("solid.case", PAIR % b"pair" + b"mode solid\n")
+        self.assert_trouble(self.run_program("explain", "solid.case", "--tracer", WRONG), "a solid of 2 triangles")
+
+
 class Trouble(ReplayTest):
     def test_nothing_is_written(self):
         """Whatever is wrong is seen before a tracer is asked; a report of an earlier run stays."""
         self.write("fine.case", PLAIN % b"x")
         self.write("empty.case", b"")
         self.write("remark.case", b"# nothing but this\n")
-        self.write("two.case", PLAIN % b"x" + b"triangle 0 0 0  1 0 0  0 1 0\n")
+        self.write("two.case", PLAIN % b"x" + b"triangle 0 0 0  1 0 0  0 1 0\nmode solid\n")
         self.write("broken.case", PLAIN % b"x" + b"rya 1\n")
         (self.folder / "none").mkdir()
         self.write("none/x.txt", PLAIN % b"x")
@@ -350,7 +406,8 @@ class Trouble(ReplayTest):
         for arguments, *parts in [
                 (("empty.case",), "empty.case", "no case in this file"), (("remark.case",), "no case in this file"),
                 (("none",), "none: no *.case file in this folder"), (("folder.case",), "no *.case file"),
-                (("missing.case",), "missing.case: cannot be opened"), (("two.case",), "case 'x' has 2 triangles"),
+                (("missing.case",), "missing.case: cannot be opened"),
+                (("two.case",), "case 'x' is a solid of 2 triangles"),
                 (("broken.case",), "broken.case:4:1: unknown key 'rya'"), (("fine.case", "two.case"), "two.case"),
                 (("fine.case", "--tracer", "nobody"), "unknown tracer 'nobody'"),
                 (("fine.case", "--tracer", "pipe:"), "no command"),

@@ -125,11 +125,26 @@ class TriageHtmlTest(unittest.TestCase):
         self.assertEqual(self.html(folder).returncode, 0)
         self.assertNotIn("<script>alert", (self.pages / "finding-1.html").read_text())
 
+    def test_several_triangles(self):
+        pair = ("case pair\ntriangle -0.5 0.25 -0.5  -0.25 0.75 -1.5  0 -1.5 1.5\n"
+                "triangle -0.25 0.75 -1.5  -0.5 0.25 -0.5  -1.5 0.5 -0.25\n"
+                "ray 2 0.5 -3.5  -0x1.35873d0340b42p+1 -0x1.61cf40d02d088p-4 0x1.561cf40d02d08p+1\n"
+                "known moller_trumbore_f64 leak\n")
+        done = self.html(self.write(pair))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        page = (self.pages / "finding-1.html").read_text()
+        for part in ("misses triangles of which the ray has to hit one", "All that the ray meets, in order",
+                     "The verdict: <strong>leak</strong>", "repro-ply", "repro-obj"):
+            self.assertIn(part, page)
+        again = plumbline("replay", self.pages / "finding-1.case", "--tracer", "moller_trumbore_f64")
+        self.assertEqual(again.returncode, 0, again.stdout)
+
     def test_trouble(self):
         self.assert_trouble(self.html(self.scratch / "none.case"), "none.case")
         self.assert_trouble(self.html(self.write("case x\nray 1\n")), "x.case:2")
         two = "triangle 0 0 0  1 0 0  0 1 0\n" * 2
-        self.assert_trouble(self.html(self.write("case two\n" + two + "ray 0 0 1  0 0 -1\n")), "'two'", "2 triangles")
+        solid = self.write("case two\nmode solid\n" + two + "ray 0 0 1  0 0 -1\nknown exact leak\n")
+        self.assert_trouble(self.html(solid), "'two'", "a solid of 2 triangles")
         self.assert_trouble(plumbline("triage", "html", self.write(THIRDS)), "--output")
         self.assert_trouble(self.html(), "PATH")
         self.assert_trouble(self.html(self.write(THIRDS), "--pages", "-1"), "--pages")

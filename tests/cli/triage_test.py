@@ -20,6 +20,11 @@ KILLS = int(os.environ.get("TRIAGE_KILLS", 5))
 SEED = int(os.environ.get("PLUMBLINE_SEED", 20260101))
 TRACER = "moller_trumbore_f64"
 FALSE_HIT = '{"triangle":[[0,0,0],[1,0,0],[0,1,0]],"origin":[0.75,0.75,1],"direction":[0,0,-1],"hit":true%s}\n'
+# A pair of triangles that moller_trumbore_f64 misses beside their edge, and one behind them that it hits.
+PAIR = ("case %s\ntriangle -0.5 0.25 -0.5  -0.25 0.75 -1.5  0 -1.5 1.5\n"
+        "triangle -0.25 0.75 -1.5  -0.5 0.25 -0.5  -1.5 0.5 -0.25\n"
+        "ray 2 0.5 -3.5  -0x1.35873d0340b42p+1 -0x1.61cf40d02d088p-4 0x1.561cf40d02d08p+1\n")
+BEHIND = "triangle -9 -5 2  3 -5 2  -3 9 2\n"
 HOSTILE = ["pipe:./x \"y\"", "a\nb", "'; DROP TABLE finding; --", "<script>alert(1)</script>", "\x1b[2Jx", "../../up",
            "nul\0behind", "./libx.so", "a" * 300, "\u202etxt"]
 
@@ -308,6 +313,42 @@ class Triage(TriageTest):
         self.assertEqual(done.returncode, 0)
         self.assertIn("not shrunk", done.stderr)
         self.assertIn("known theirs false-hit", pathlib.Path(done.stdout.strip()).read_text())
+
+    def collect_several(self):
+        cases = self.scratch / "several.case"
+        cases.write_text(PAIR % "pair" + f"known {TRACER} leak\nknown exact leak\n" +
+                         PAIR % "behind" + BEHIND + f"known {TRACER} wrong-nearest\n")
+        done = plumbline("triage", "collect", self.store, cases)
+        self.assertEqual((done.returncode, done.stderr), (0, "2 findings, 1 cases that their tracer gets right now\n"))
+        return {f["kind"]: f for f in self.rows()[0]}
+
+    def test_several_triangles(self):
+        found = self.collect_several()
+        self.assertEqual({f["signature"] for f in found.values()}, {"leak-interior", "wrong-nearest-interior"})
+        self.assertEqual({(f["element"], f["conditioning"]) for f in found.values()}, {("none", "nominal")})
+        self.assertGreater(found["leak"]["worst_ulps"], 0)
+        self.assertIn("leak-interior", self.run_fine("triage", self.store))
+        self.assert_the_same_when_rebuilt()
+        shown = self.run_fine("triage", "show", self.store, found["wrong-nearest"]["id"])
+        for part in ("crossed    3 of 3 triangles", "triangle 2: interior, from the ", "answer     hit",
+                     "verdict    wrong-nearest", f"&& plumbline replay regressions --tracer {TRACER}\n"):
+            self.assertIn(part, shown)
+        self.assertIn("2 fail, 0 of them reopened; 0 closed as fixed", self.run_fine("triage", "retest", self.store))
+
+    def test_several_triangles_are_promoted(self):
+        for kind, finding in self.collect_several().items():
+            folder = self.scratch / kind
+            path = pathlib.Path(self.run_fine("promote", self.store, finding["id"], folder).strip())
+            text = path.read_text()
+            known = kind if text.count("\ntriangle ") > 1 else "false-miss"  # what a leak of one triangle is
+            self.assertIn(f"\nknown {TRACER} {known}\n", text)
+            self.assertIn("# shrunk from ", text)
+            done = plumbline("replay", folder, "--tracer", TRACER)
+            self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
+            self.run_fine("promote", self.store, finding["id"], folder / "failing", "--failing")
+            done = plumbline("replay", folder / "failing", "--tracer", TRACER)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(f"new {known}, severity ", done.stdout)
 
     def test_hostile_names(self):
         self.judge("".join(FALSE_HIT % f',"tracer":{json.dumps(name)}' for name in HOSTILE))

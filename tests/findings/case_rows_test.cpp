@@ -6,6 +6,7 @@
 
 #include "tests/case/error_of.h"
 #include "tests/fuzz/scratch.h"
+#include "tests/several.h"
 
 namespace plumbline {
 namespace {
@@ -69,8 +70,18 @@ TEST_F(CaseRowsTest, AskTheTracerOfTheFolderToo) {
 TEST_F(CaseRowsTest, RefuseWhatIsNoCase) {
   EXPECT_THAT(error_of([&] { rows_of_cases({{folder() + "/none.case", ""}}); }), HasSubstr("none.case"));
   EXPECT_THAT(error_of([&] { rows_of_cases({{folder(), ""}}); }), HasSubstr("no *.case file"));
-  const auto two = write("two.case", "case two\ntriangle 0 0 0  1 0 0  0 1 0\n" + std::string(well_hit));
-  EXPECT_THAT(error_of([&] { rows_of_cases({{two, ""}}); }), HasSubstr("'two' has 2 triangles"));
+  const auto solid = write("solid.case", leaking_pair + "mode solid\nknown moller_trumbore_f64 leak\n");
+  EXPECT_THAT(error_of([&] { rows_of_cases({{solid, ""}}); }), HasSubstr("a solid of 2 triangles"));
+}
+
+TEST_F(CaseRowsTest, TellOfSeveralTriangles) {
+  const auto path = write("pair.case", leaking_pair + "known moller_trumbore_f64 leak\nknown exact leak\n");
+  const CaseRows all = rows_of_cases({{path, ""}});
+  ASSERT_EQ(all.rows.size(), 1u);
+  EXPECT_EQ(all.rows[0].signature, "leak-interior");
+  EXPECT_EQ(all.rows[0].kind, FindingKind::leak);
+  EXPECT_EQ(all.rows[0].worst.what.bag.triangles.size(), 2u);
+  EXPECT_EQ(all.right, 1u);
 }
 
 }  // namespace

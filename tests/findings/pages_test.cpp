@@ -15,6 +15,7 @@
 #include "tests/analysis/fixed_tracer.h"
 #include "tests/case/error_of.h"
 #include "tests/findings/sample_rows.h"
+#include "tests/several.h"
 
 namespace plumbline {
 namespace {
@@ -308,11 +309,54 @@ TEST(FindingPage, ItsCasesReadBack) {
   EXPECT_THAT(cases[1].known, ElementsAre(Known{"t", VerdictKind::false_hit}));
 }
 
-TEST(Pages, AreOfOneTriangle) {
-  FindingRow row = sample_row(9, "t");
-  row.simplest.what.bag.triangles.resize(2);
-  EXPECT_THAT(error_of([&] { pages_of({row}); }), HasSubstr("finding 9: case 'simplest' has 2 triangles"));
-  EXPECT_EQ(error_of([&] { pages_of({row}, {}, {.pages = 0, .tracers = {}}); }), "");
+// A pair that the tracer misses, and a triangle behind it that it hits.
+FindingRow row_of_several(const std::string& tracer) {
+  FindingRow row = sample_row(9, tracer);
+  row.signature = "wrong-nearest-interior";
+  row.kind = FindingKind::wrong_nearest;
+  row.element = Element::none;
+  row.worst.what = row.simplest.what = case_of(leaking_pair + behind_the_pair);
+  row.worst.ulps = row.simplest.ulps = 7;
+  return row;
+}
+
+TEST(FindingPage, TellsAllThatTheRayMeetsOfSeveralTriangles) {
+  const Tracer& tracer = find_tracer("moller_trumbore_f64");
+  const PageOptions options{.tracers = {&tracer, &find_tracer("exact")}};
+  const Written all = pages_of({row_of_several("moller_trumbore_f64")}, {}, options);
+  const std::string page = all["finding-9.html"];
+  EXPECT_THAT(page, HasSubstr("hits another triangle than the ray has to hit first</h1>"));
+  EXPECT_THAT(page, HasSubstr("3 triangles, "));
+  EXPECT_THAT(page, HasSubstr("<td>hit of triangle 2<td>first triangle"));
+  EXPECT_THAT(page, HasSubstr("The verdict: <strong>wrong-nearest</strong>."));
+  EXPECT_THAT(page, HasSubstr("aria-label=\"The triangles, seen along the ray\""));
+  EXPECT_THAT(page, HasSubstr("<td class=\"n\">3<td class=\"n\">"));  // the third place, that of the triangle behind
+  EXPECT_THAT(page, HasSubstr("Wrong are 1 of 2 on the only case kept."));
+  EXPECT_THAT(page, HasSubstr("plumbline explain finding-9.case --id finding-9-worst --tracer moller_trumbore_f64"));
+  EXPECT_THAT(page, Not(HasSubstr("plumbline shrink")));
+  const auto cases = parse_cases(all["finding-9.case"], "finding-9.case");
+  EXPECT_THAT(cases[0].known, ElementsAre(Known{"moller_trumbore_f64", VerdictKind::wrong_nearest}));
+  EXPECT_EQ(data_of(all["index.html"])["classes"][0].get<std::vector<int>>()[0],
+            static_cast<int>(FindingKind::wrong_nearest));
+}
+
+TEST(FindingPage, SaysOfSeveralTrianglesWhatItCannotKnow) {
+  const std::string page = pages_of({row_of_several("gone")})["finding-9.html"];
+  EXPECT_THAT(page, HasSubstr("<td>not in this build<td>first triangle"));
+  EXPECT_THAT(page, Not(HasSubstr("The verdict")));
+  EXPECT_THAT(pages_of({row_of_several("exact")}, {}, {.tracers = {&find_tracer("exact")}})["finding-9.html"],
+              HasSubstr("This build gets it right."));
+}
+
+TEST(FindingPage, HostileNamesOfSeveralTrianglesStayText) {
+  for (const std::string& name : hostile_names()) {
+    FindingRow row = row_of_several(name);
+    row.worst.what.id = row.simplest.what.id = name;
+    row.worst.what.provenance = {name};
+    const std::string page = pages_of({row})["finding-9.html"];
+    EXPECT_EQ(page.find("<script", page.find("<script") + 1), std::string::npos) << name;
+    EXPECT_EQ(page.find("<!--"), std::string::npos) << name;
+  }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "tests/case/error_of.h"
 #include "tests/fuzz/scratch.h"
+#include "tests/several.h"
 
 namespace plumbline {
 namespace {
@@ -75,6 +76,20 @@ TEST_F(CheckCorpus, Trouble) {
   EXPECT_EQ(error_of([&] { check("", true); }), file_ + ": no case in this file");
   const auto nowhere = [&] { check_corpus(file_ + ".none", {.name = "mine", .hits = {}}); };
   EXPECT_THAT(error_of(nowhere), HasSubstr("x.case.none: cannot be opened"));
+}
+
+TEST_F(CheckCorpus, SeveralTrianglesAreHitIfOneIs) {
+  EXPECT_EQ(check(leaking_pair, true), "");
+  EXPECT_EQ(check(leaking_pair, std::nullopt), "");
+  EXPECT_EQ(check(leaking_pair + "known mine leak\n", false), "");
+  EXPECT_THAT(check(leaking_pair, false),
+              AllOf(StartsWith(file_ + ":1: pair: mine: new leak, severity "), HasSubstr("crossed    2 of 2 triangles"),
+                    HasSubstr("triangle 1: interior, from the "), HasSubstr("verdict    leak: ")));
+  EXPECT_THAT(check(leaking_pair + "known mine leak\n", true), HasSubstr("known as leak, it is now correct; remove"));
+  EXPECT_THAT(check("case x\ntriangle 0 0 0  1 0 0  0 1 0\ntriangle 9 9 0  8 9 0  9 8 0\nray 2 0 1  0 0 -1\n", true),
+              HasSubstr("mine: new false-hit, severity 1 "));
+  // What is hit first, a function of one triangle can't say.
+  EXPECT_EQ(check(leaking_pair + "known mine wrong-nearest\n", true), "");
 }
 
 }  // namespace

@@ -235,7 +235,7 @@ TEST(Repro, RefusesWhatItCannotTell) {
   two.bag.triangles.push_back(unit);
   EXPECT_THAT(error_of(two, ReproForm::cpp_plain, ""),
               AllOf(HasSubstr("'some-case' has 2 triangles"), HasSubstr("obj")));
-  EXPECT_THAT(error_of(two, ReproForm::python_proof, ""), HasSubstr("2 triangles"));
+  EXPECT_EQ(error_of(two, ReproForm::python_proof, ""), "");
   Case still = good;
   still.ray.direction = {};
   EXPECT_THAT(error_of(still, ReproForm::python_proof, ""), HasSubstr("the direction is zero"));
