@@ -21,14 +21,16 @@ LeakResult leaks_of(const Tracer& tracer, std::uint64_t rays = few, unsigned job
 
 const LeakScore& score(const LeakResult& result, std::string_view test, Precision precision = Precision::binary32) {
   const auto tests = leak_tests();
-  const auto it = std::ranges::find_if(tests, [&](const LeakTest& t) { return t.name == test && t.precision == precision; });
+  const auto it =
+      std::ranges::find_if(tests, [&](const LeakTest& t) { return t.name == test && t.precision == precision; });
   return result.scores[0][static_cast<std::size_t>(it - tests.begin())];
 }
 
 void expect_nothing_wrong(const LeakResult& result) {
   for (std::size_t k = 0; k < leak_tests().size(); ++k) {
     const LeakScore& s = result.scores[0][k];
-    EXPECT_EQ(s, LeakScore{.rays = result.plan.rays}) << leak_tests()[k].name << ' ' << name(leak_tests()[k].precision);
+    EXPECT_EQ(s, LeakScore{.rays = result.plan.rays})
+        << leak_tests()[k].name << ' ' << name(leak_tests()[k].precision);
   }
 }
 
@@ -213,7 +215,8 @@ TEST(WatertightTable, SaysWhatIsThereAndNoMore) {
   EXPECT_EQ(table.find("binary64"), std::string::npos) << "no tracer reads them";
   const std::string csv = to_csv(result);
   EXPECT_EQ(std::ranges::count(csv, '\n'), 2) << csv;
-  EXPECT_NE(csv.find("woop_watertight_f32,binary32,\"pair, ulp\",10,3,2,0.5,4,4,1.5,0,0,0,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("woop_watertight_f32,binary32,\"pair, ulp\",10,3,2,0.5,4,4,1.5,0,0,0,"), std::string::npos)
+      << csv;
 }
 
 }  // namespace

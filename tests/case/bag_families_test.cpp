@@ -20,8 +20,9 @@ template <class Visit>
 void for_each_aim(Visit visit) {
   for (const BagTarget target : targets)
     for (const BagOrigin origin : origins)
-      for (const auto& [precision, bits, ulps] : {std::tuple(Precision::binary32, 8, 0), std::tuple(Precision::binary32, 24, 2),
-                                                  std::tuple(Precision::binary64, 53, 1)})
+      for (const auto& [precision, bits, ulps] :
+           {std::tuple(Precision::binary32, 8, 0), std::tuple(Precision::binary32, 24, 2),
+            std::tuple(Precision::binary64, 53, 1)})
         visit(BagAim{.target = target, .origin = origin, .precision = precision, .bits = bits, .ulps = ulps});
 }
 
@@ -67,7 +68,8 @@ TEST(BagFamilies, ASeedAndAnIndexAreABagOfTheirOwn) {
   EXPECT_EQ(seen.size(), 200u);
 }
 
-// Coordinates are multiples of 2^(2 - bits) below 2, of vertices of four times that; all numbers are of the precision.
+// Coordinates are multiples of 2^(2 - bits) below 2, of vertices of four times that; all numbers are of the
+// precision.
 TEST(BagFamilies, NumbersAreOfTheGrid) {
   const auto on_grid = [](const Vec3& v, int exponent) {
     return std::ranges::all_of(std::array{v.x, v.y, v.z}, [&](double x) {
