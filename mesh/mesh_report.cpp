@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "case/float_bits.h"
 #include "case/json_object.h"
@@ -75,20 +76,15 @@ void look_at_triangles(const Mesh& mesh, MeshReport& report) {
 }
 
 void look_for_duplicates(const Mesh& mesh, MeshReport& report) {
-  struct Named {
-    Corners corners;
-    std::uint32_t triangle;
-    auto operator<=>(const Named&) const = default;
-  };
-  std::vector<Named> sorted;
+  std::vector<std::pair<Corners, std::uint32_t>> sorted;  // with whose corners they are
   sorted.reserve(mesh.triangles.size());
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    sorted.push_back({mesh.triangles[i], i});
-    std::ranges::sort(sorted.back().corners);
+    sorted.emplace_back(mesh.triangles[i], i);
+    std::ranges::sort(sorted.back().first);
   }
   std::ranges::sort(sorted);
   for (std::size_t k = 1; k < sorted.size(); ++k)
-    if (sorted[k].corners == sorted[k - 1].corners) count(report.duplicate, sorted[k].triangle);
+    if (sorted[k].first == sorted[k - 1].first) count(report.duplicate, sorted[k].second);
 }
 
 void look_at_edges(const Mesh& mesh, MeshReport& report) {
