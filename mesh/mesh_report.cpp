@@ -21,8 +21,8 @@ void count(Flaw& flaw, std::uint32_t triangle) {
 
 double magnitude(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-// Margins know nothing of a triangle without area, nor of one in whose plane the ray runs and meets it. Rays along all
-// three axes can't run in one plane: so where none has an answer, the triangle has no area.
+// Margins know nothing of a triangle without area, nor of one in whose plane the ray runs and meets it. Rays along
+// all three axes can't run in one plane: so where none has an answer, the triangle has no area.
 std::optional<Margins> margins_of(const Triangle& triangle, Precision precision) {
   for (const Vec3& direction : {Vec3{0, 0, 1}, Vec3{0, 1, 0}, Vec3{1, 0, 0}})
     if (auto found = margins(triangle, Ray{{0, 0, 0}, direction}, precision)) return found;
@@ -34,7 +34,8 @@ class Ruler {
  public:
   explicit Ruler(const MeshReport& of) {
     const double largest = of.largest_coordinate;
-    exponent_ = of.precision == Precision::binary32 ? ulp_exponent(static_cast<float>(largest)) : ulp_exponent(largest);
+    exponent_ =
+        of.precision == Precision::binary32 ? ulp_exponent(static_cast<float>(largest)) : ulp_exponent(largest);
     if (largest >= 0x1p1023) half_ = 0.5;  // a difference of two such may overflow
   }
 
@@ -71,7 +72,8 @@ void look_at_triangles(const Mesh& mesh, MeshReport& report) {
       continue;
     }
     keep_less(report.altitude, ruler.altitude(t, *m), i);
-    keep_less(report.edge, std::min({ruler.distance(t.a, t.b), ruler.distance(t.b, t.c), ruler.distance(t.c, t.a)}), i);
+    keep_less(report.edge, std::min({ruler.distance(t.a, t.b), ruler.distance(t.b, t.c), ruler.distance(t.c, t.a)}),
+              i);
   }
 }
 

@@ -1,5 +1,5 @@
-// A fuzzer's input: the first byte says which space, precision and domain, the rest is the input, cut off or filled up with
-// zeros.
+// A fuzzer's input: the first byte says which space, precision and domain, the rest is the input, cut off or filled
+// up with zeros.
 #include "case/case_bytes.h"
 
 #include <algorithm>

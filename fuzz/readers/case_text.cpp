@@ -16,7 +16,8 @@ void run(std::string_view text) {
     const std::string written = reread([&] { return to_text(read); });
     const std::vector<Case> again = reread([&] { return parse_cases(written, "written"); });
     if (again.size() != 1 || again.front() != read) broken("a case that reads back as another");
-    if (to_text(again.front()) != written) broken("a case that is written in two ways");  // which == wouldn't see of -0
+    if (to_text(again.front()) != written)
+      broken("a case that is written in two ways");  // which == wouldn't see of -0
   }
 }
 

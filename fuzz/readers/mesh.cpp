@@ -24,7 +24,8 @@ void check_invariant(const Mesh& mesh) {
 void check_written(const Mesh& mesh, MeshFormat format) {
   std::string bytes;
   write_mesh(mesh, format, [&bytes](std::string_view part) { bytes += part; });
-  if (reread([&] { return parse_mesh(bytes, format, "written"); }) != mesh) broken("a mesh that reads back as another");
+  if (reread([&] { return parse_mesh(bytes, format, "written"); }) != mesh)
+    broken("a mesh that reads back as another");
 }
 
 void run(const std::string& bytes, MeshFormat format) {

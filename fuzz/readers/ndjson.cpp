@@ -16,10 +16,12 @@ namespace {
 
 class MemoryFile {
  public:
-  MemoryFile() : descriptor_(memfd_create("lines", MFD_CLOEXEC)), path_("/proc/self/fd/" + std::to_string(descriptor_)) {}
+  MemoryFile()
+      : descriptor_(memfd_create("lines", MFD_CLOEXEC)), path_("/proc/self/fd/" + std::to_string(descriptor_)) {}
 
   const std::string& with(std::string_view bytes) const {
-    if (ftruncate(descriptor_, 0) != 0 || pwrite(descriptor_, bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
+    if (ftruncate(descriptor_, 0) != 0 ||
+        pwrite(descriptor_, bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
       broken("no memory to write to");
     return path_;
   }

