@@ -33,7 +33,7 @@ std::span<const LeakTest> leak_tests();
 
 struct LeakPlan {
   std::vector<const Tracer*> tracers;
-  std::uint64_t rays = 10000;  ///< of each test
+  std::uint64_t rays = 5000;  ///< of each test
   std::uint64_t seed = 1;
   unsigned jobs = 1;
 };

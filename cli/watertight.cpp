@@ -20,7 +20,7 @@ namespace {
 struct Options {
   std::vector<std::string> tracers;
   ForeignOptions foreign;
-  std::uint64_t rays = 10000, seed = 1;
+  std::uint64_t rays = 5000, seed = 1;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   std::string csv, markdown;
 };
