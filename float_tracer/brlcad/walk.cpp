@@ -9,8 +9,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double zero_component = 1e-39;  // of a direction: up to here it counts as zero
-constexpr double zero_inverse = 1e-77;    // of a component: up to here the component counts as none
-constexpr double largest_parameter = 1e73;
 
 }  // namespace
 
@@ -20,22 +18,6 @@ Line::Line(const Vector& given_origin, const Vector& given_direction)
     if (std::abs(direction[i]) <= zero_component) direction[i] = 0;
     inverse[i] = direction[i] == 0 ? infinity : 1 / direction[i];
   }
-}
-
-std::optional<Span> slab_test(const Box& box, const Vector& origin, const Vector& inverse) {
-  double near = -largest_parameter, far = largest_parameter;
-  for (int i = 0; i < 3; ++i) {
-    if (std::abs(inverse[i]) <= zero_inverse) {
-      if (box.low[i] > origin[i] || box.high[i] < origin[i]) return std::nullopt;
-      continue;
-    }
-    double first = (box.low[i] - origin[i]) * inverse[i], last = (box.high[i] - origin[i]) * inverse[i];
-    if (inverse[i] < 0) std::swap(first, last);
-    if (first > near) near = first;
-    if (last < far) far = last;
-  }
-  if (near > far) return std::nullopt;
-  return Span{near, far};
 }
 
 bool left_behind(const Box& box, const Vector& point, const Vector& direction) {

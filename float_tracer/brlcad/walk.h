@@ -2,7 +2,9 @@
 // later test starts from the moved, rounded origin. A model of one solid is one cell, its box the model's, unless the
 // solid comes in pieces (cells.h).
 #pragma once
+#include <cmath>
 #include <optional>
+#include <utility>
 
 #include "float_tracer/brlcad/solid.h"
 #include "float_tracer/rejection.h"
@@ -26,7 +28,23 @@ struct Span {
 };
 
 /// Of the whole line; the NaN of 0 * infinity changes nothing.
-std::optional<Span> slab_test(const Box& box, const Vector& origin, const Vector& inverse);
+inline std::optional<Span> slab_test(const Box& box, const Vector& origin, const Vector& inverse) {
+  constexpr double zero_inverse = 1e-77;  // of a component: up to here the component counts as none
+  constexpr double largest_parameter = 1e73;
+  double near = -largest_parameter, far = largest_parameter;
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(inverse[i]) <= zero_inverse) {
+      if (box.low[i] > origin[i] || box.high[i] < origin[i]) return std::nullopt;
+      continue;
+    }
+    double first = (box.low[i] - origin[i]) * inverse[i], last = (box.high[i] - origin[i]) * inverse[i];
+    if (inverse[i] < 0) std::swap(first, last);
+    if (first > near) near = first;
+    if (last < far) far = last;
+  }
+  if (near > far) return std::nullopt;
+  return Span{near, far};
+}
 
 /// Whether the point lies past the box, seen along the ray.
 bool left_behind(const Box& box, const Vector& point, const Vector& direction);

@@ -107,6 +107,7 @@ void Weaver::finish() {
 }
 
 void Weaver::weave(std::vector<Passage>& passages, std::vector<Passage>& partitions) {
+  partitions.clear();
   passages_ = passages;
   woven_.clear();
   for (std::uint32_t i = 0; i < passages.size(); ++i) {
@@ -116,8 +117,13 @@ void Weaver::weave(std::vector<Passage>& passages, std::vector<Passage>& partiti
     if (p.out < farthest_behind || std::isnan(p.in) || std::isnan(p.out) || p.in > p.out) continue;
     weave_passage(i);
   }
+  if (woven_.size() == 1 && passages.size() == 1) {  // of a single face: no need of more
+    Passage& only = passages[0];
+    if (near(only.in, only.out)) only.out = only.in;
+    if (!(only.out < distance_tolerance)) partitions.push_back(only);
+    return;
+  }
   finish();
-  partitions.clear();
   for (const auto& [in, out] : finished_) partitions.push_back({t(in), t(out), triangle(in), triangle(out)});
 }
 

@@ -14,7 +14,8 @@ void report(const BrlcadAgreement& agreement, std::uint64_t beyond = 1) {
   std::printf(
       "%llu rays, %llu of them hits, %llu partitions, %llu beyond the model, %llu differences; PLUMBLINE_SEED=%llu\n",
       static_cast<unsigned long long>(agreement.rays()), static_cast<unsigned long long>(agreement.hits()),
-      static_cast<unsigned long long>(agreement.beyond()), static_cast<unsigned long long>(agreement.differences()),
+      static_cast<unsigned long long>(agreement.partitions()), static_cast<unsigned long long>(agreement.beyond()),
+      static_cast<unsigned long long>(agreement.differences()),
       static_cast<unsigned long long>(judges::nightly_seed()));
   EXPECT_GT(agreement.hits(), agreement.rays() / 20);
   EXPECT_LT(agreement.beyond(), beyond * agreement.rays() / 1000);
