@@ -55,12 +55,18 @@ HitClass nearest_class(const BagTruth& truth) {
 
 std::optional<BagSignature> signature(const BagExamination& e) {
   if (!e.wrong()) return std::nullopt;
-  return BagSignature{e.judgement.verdict, nearest_class(e.truth), e.culling};
+  return signature(e.judgement, e.truth, e.answer, e.culling);
+}
+
+BagSignature signature(const BagJudgement& judgement, const BagTruth& truth, const Answer& answer, bool culling) {
+  const bool crossed = std::ranges::count(truth.hits, answer.triangle, &BagHit::triangle) != 0;
+  return {judgement.verdict, nearest_class(truth), culling, judgement.verdict == BagVerdict::wrong_nearest && crossed};
 }
 
 std::string to_word(const BagSignature& s) {
   std::string word(name(s.verdict));
   if (s.where != HitClass::exterior) word += "-" + std::string(name(s.where));
+  if (s.through) word += "-through";
   if (s.culling) word += "-culling";
   return word;
 }

@@ -39,13 +39,18 @@ struct BagSignature {
   HitClass where = HitClass::interior;  ///< of what has to be hit first, the least exceptional: interior, edge, vertex;
                                         ///< exterior: nothing has to be
   bool culling = false;
+  bool through = false;  ///< of a wrong nearest hit: what is reported does lie on the ray, behind what was missed. Else it
+                         ///< lies beside the ray: mostly a neighbour
   friend bool operator==(const BagSignature&, const BagSignature&) = default;
 };
+
+/// Of a judgement that is wrong.
+BagSignature signature(const BagJudgement& judgement, const BagTruth& truth, const Answer& answer, bool culling);
 
 /// No value where there is nothing to find.
 std::optional<BagSignature> signature(const BagExamination& examination);
 
-/// One word: "leak-edge-culling", "wrong-nearest-interior", "false-hit".
+/// One word: "leak-edge-culling", "wrong-nearest-interior-through", "false-hit".
 std::string to_word(const BagSignature& signature);
 
 /// Of the nearest hits of a truth; exterior where there are none.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/ask.h"
+#include "analysis/shrink.h"
 #include "analysis/simpler_number.h"
 #include "case/precision.h"
 
@@ -74,6 +75,7 @@ class Shrinker {
     r.bits_before = significant_bits(best_);
     only_those_met(r.before);
     take_triangles_away();
+    if (best_.bag.triangles.size() == 1) simplify_alone();
     simplify_numbers();
     r.what = best_;
     r.after = examine_bag(tracer_, best_);
@@ -170,6 +172,17 @@ class Shrinker {
       for (const int direction : {0, -1, 1})
         if (with(rounded_to_bits(value, fewer, direction))) return true;
     return false;
+  }
+
+  // One triangle has a stronger shrinker, which knows how to put a ray back onto a knife's edge.
+  void simplify_alone() {
+    const auto input = from_case(best_, Space::ray, best_.precision);
+    const auto shrunk = input ? shrink(*input, tracer_, Keep::simple) : std::nullopt;
+    if (!shrunk) return;
+    Case simpler = best_;
+    simpler.bag.triangles = {shrunk->input.triangle};
+    simpler.ray = shrunk->input.ray;
+    take(simpler);
   }
 
   void simplify_numbers() {

@@ -239,12 +239,12 @@ class Worker {
     ++tally.verdicts[static_cast<std::size_t>(judged.verdict)];
     const bool lost = judged.verdict == BagVerdict::leak || judged.verdict == BagVerdict::wrong_nearest;
     if (!lost && judged.verdict != BagVerdict::false_hit) return;
-    BagSignature signature{judged.verdict, nearest_class(truth), false};
+    const bool culling =
+        lost && asked_whole(t) && lost_by_culling(judged.verdict, truth, answers_[i], hits_alone(t, i, truth));
+    const BagSignature signature = plumbline::signature(judged, truth, answers_[i], culling);
     if (judged.verdict == BagVerdict::leak) ++tally.leaks[std::min<std::size_t>(index_of(signature.where), 2)];
-    if (lost && asked_whole(t)) {
-      signature.culling = lost_by_culling(judged.verdict, truth, answers_[i], hits_alone(t, i, truth));
-      tally.culled += signature.culling;
-    }
+    tally.through += signature.through;
+    tally.culled += culling;
     tally.worst_ulps = std::max(tally.worst_ulps, judged.ulps);
     const auto told = std::ranges::find_if(
         result.candidates, [&](const Candidate& c) { return c.tracer == t && c.signature == signature; });
@@ -347,6 +347,7 @@ class Reproducer {
 ScanTally& operator+=(ScanTally& sum, const ScanTally& more) {
   for (std::size_t k = 0; k < sum.verdicts.size(); ++k) sum.verdicts[k] += more.verdicts[k];
   for (std::size_t k = 0; k < sum.leaks.size(); ++k) sum.leaks[k] += more.leaks[k];
+  sum.through += more.through;
   sum.culled += more.culled;
   sum.worst_ulps = std::max(sum.worst_ulps, more.worst_ulps);
   return sum;
@@ -355,6 +356,12 @@ ScanTally& operator+=(ScanTally& sum, const ScanTally& more) {
 ScanTruth& operator+=(ScanTruth& sum, const ScanTruth& more) {
   for (std::size_t k = 0; k < sum.nearest.size(); ++k) sum.nearest[k] += more.nearest[k];
   return sum;
+}
+
+ScanState blank(const ScanPlan& plan) {
+  return {.blocks = 0,
+          .truths = std::vector<ScanTruth>(plan.sets.size()),
+          .tallies = {plan.sets.size(), std::vector<ScanTally>(plan.tracers.size())}};
 }
 
 std::string to_line(const ScanState& state) {
@@ -366,7 +373,7 @@ std::string to_line(const ScanState& state) {
     for (const ScanTally& tally : tallies) {
       for (const std::uint64_t n : tally.verdicts) out << ' ' << n;
       for (const std::uint64_t n : tally.leaks) out << ' ' << n;
-      out << ' ' << tally.culled << ' ' << std::hexfloat << tally.worst_ulps;
+      out << ' ' << tally.through << ' ' << tally.culled << ' ' << std::hexfloat << tally.worst_ulps;
     }
   }
   return out.str();
@@ -375,17 +382,15 @@ std::string to_line(const ScanState& state) {
 std::optional<ScanState> from_line(const std::string& line, const ScanPlan& plan) {
   std::istringstream in(line);
   std::string word;
-  ScanState state;
+  ScanState state = blank(plan);
   if (!(in >> word >> state.blocks) || word != "done") return std::nullopt;
-  state.truths.resize(plan.sets.size());
-  state.tallies.assign(plan.sets.size(), std::vector<ScanTally>(plan.tracers.size()));
   for (ScanTruth& truth : state.truths)
     for (std::uint64_t& n : truth.nearest) in >> n;
   for (auto& tallies : state.tallies) {
     for (ScanTally& tally : tallies) {
       for (std::uint64_t& n : tally.verdicts) in >> n;
       for (std::uint64_t& n : tally.leaks) in >> n;
-      in >> tally.culled >> word;  // streams don't read hexfloats
+      in >> tally.through >> tally.culled >> word;  // streams don't read hexfloats
       tally.worst_ulps = std::strtod(word.c_str(), nullptr);
     }
   }
@@ -399,8 +404,6 @@ ScanResult scan(const ScanPlan& plan, ScanState begin, const std::atomic<bool>& 
   ScanResult result;
   result.state = std::move(begin);
   ScanState& state = result.state;
-  state.truths.resize(plan.sets.size());
-  state.tallies.resize(plan.sets.size(), std::vector<ScanTally>(plan.tracers.size()));
   result.times.tracers.resize(plan.tracers.size());
   ScanProgress at{.state = &state};
   for (std::size_t k = 0; k < blocks.size(); ++k) (k < state.blocks ? at.rays : at.all) += blocks[k].size;

@@ -32,6 +32,7 @@ inline constexpr std::size_t whole_limit = 1024;
 struct ScanTally {
   std::array<std::uint64_t, bag_verdict_names.size()> verdicts{};
   std::array<std::uint64_t, 3> leaks{};  ///< those of a point inside of a triangle; else on an edge; else at a vertex
+  std::uint64_t through = 0;             ///< wrong nearest hits of triangles that lie behind, on the ray: leaks as well
   std::uint64_t culled = 0;              ///< leaks and wrong nearest hits that were lost in boxes or traversal
   double worst_ulps = 0;                 ///< the greatest severity
   std::uint64_t operator[](BagVerdict v) const { return verdicts[static_cast<std::size_t>(v)]; }
@@ -83,6 +84,9 @@ struct ScanState {
   friend bool operator==(const ScanState&, const ScanState&) = default;
 };
 
+/// Of nothing done.
+ScanState blank(const ScanPlan& plan);
+
 /// One line, words and numbers.
 std::string to_line(const ScanState& state);
 /// No value where that isn't a line of such a plan.
@@ -102,7 +106,7 @@ struct ScanProgress {
   const ScanState* state = nullptr;
 };
 
-/// From `begin`, until all is done or `stop` becomes true. The state in the result depends on the plan without jobs alone.
+/// From `begin`, which is blank or was kept of the same plan, until all is done or `stop` becomes true. The state in the result depends on the plan without jobs alone.
 ScanResult scan(const ScanPlan& plan, ScanState begin, const std::atomic<bool>& stop,
                 const std::function<void(const ScanProgress&)>& progress);
 

@@ -27,7 +27,7 @@ std::string truths(const ScanPlan& plan, const ScanState& state) {
 
 std::string verdicts(const ScanPlan& plan, const ScanResult& result) {
   TextTable table{{{"tracer"}, {"rays", true}, {"leaks inside", true}, {"on an edge", true}, {"at a vertex", true},
-                   {"wrong nearest", true}, {"lost by culling", true}, {"false hits", true}, {"unspecified", true},
+                   {"through", true}, {"beside", true}, {"lost by culling", true}, {"false hits", true}, {"unspecified", true},
                    {"faults", true}, {"worst (ulps)", true}, {"ns a ray", true}, {"exact takes", true}},
                   {}};
   const auto nanoseconds = [&](double seconds) {
@@ -41,7 +41,7 @@ std::string verdicts(const ScanPlan& plan, const ScanResult& result) {
     const TracerInfo& info = plan.tracers[t]->info();
     const bool timed = info.has_tree && result.rays > 0 && took > 0;  // asked about the whole mesh, as it's meant to be
     table.rows.push_back({info.name, n(rays(sum)), n(sum.leaks[0]), n(sum.leaks[1]), n(sum.leaks[2]),
-                          n(sum[BagVerdict::wrong_nearest]), n(sum.culled), n(sum[BagVerdict::false_hit]),
+                          n(sum.through), n(sum[BagVerdict::wrong_nearest] - sum.through), n(sum.culled), n(sum[BagVerdict::false_hit]),
                           n(sum[BagVerdict::unspecified]), n(sum[BagVerdict::fault]), fmt::format("{:.3g}", sum.worst_ulps),
                           timed ? fmt::format("{:.0f}", nanoseconds(took)) : "-",
                           timed ? fmt::format("{:.2f} x", result.times.exact / took) : "-"});
@@ -63,7 +63,7 @@ std::string to_terminal(const ScanPlan& plan, const ScanResult& result) {
 std::string to_csv(const ScanPlan& plan, const ScanState& state) {
   std::string text = "set,tracer,rays,truth_inside,truth_edge,truth_vertex,truth_nothing";
   for (const std::string_view verdict : bag_verdict_names) text += "," + std::string(verdict);
-  text += ",leaks_inside,leaks_edge,leaks_vertex,lost_by_culling,worst_ulps\n";
+  text += ",leaks_inside,leaks_edge,leaks_vertex,through,lost_by_culling,worst_ulps\n";
   for (std::size_t set = 0; set < plan.sets.size(); ++set) {
     for (std::size_t t = 0; t < plan.tracers.size(); ++t) {
       const ScanTally& tally = state.tallies[set][t];
@@ -71,7 +71,7 @@ std::string to_csv(const ScanPlan& plan, const ScanState& state) {
       for (const std::uint64_t n : state.truths[set].nearest) text += fmt::format(",{}", n);
       for (const std::uint64_t n : tally.verdicts) text += fmt::format(",{}", n);
       for (const std::uint64_t n : tally.leaks) text += fmt::format(",{}", n);
-      text += fmt::format(",{},{}\n", tally.culled, tally.worst_ulps);
+      text += fmt::format(",{},{},{}\n", tally.through, tally.culled, tally.worst_ulps);
     }
   }
   return text;

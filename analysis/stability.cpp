@@ -24,26 +24,6 @@ namespace {
 
 double unit_roundoff(Precision precision) { return precision == Precision::binary32 ? 0x1p-24 : 0x1p-53; }
 
-// Values of one measure, which come to a Spread.
-class Values {
- public:
-  void add(double x) {
-    if (!std::isnan(x)) list_.push_back(x);
-  }
-  Spread spread() {
-    if (list_.empty()) return {};
-    std::ranges::sort(list_);
-    const auto quantile = [this](double share) {
-      const auto below = static_cast<std::size_t>(std::ceil(share * static_cast<double>(list_.size())));
-      return list_[std::max<std::size_t>(below, 1) - 1];
-    };
-    return {.count = list_.size(), .median = quantile(0.5), .p99 = quantile(0.99), .worst = list_.back()};
-  }
-
- private:
-  std::vector<double> list_;
-};
-
 // What the oracle says of a query, kept for the next tracer that is asked the same.
 struct Facts {
   Query query;

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/spread.h"
 #include "case/dials.h"
 #include "float_tracer/tracer.h"
 
@@ -36,13 +37,6 @@ struct StabilityPlan {
 
 /// Each tracer on inputs of its own precision, then those of binary64 on binary32 inputs.
 std::vector<Subject> subjects_of(const std::vector<const Tracer*>& tracers);
-
-/// Of the values that there are; 0 where there is none. Quantiles are values that occur: the least that at least that
-/// share of all doesn't exceed.
-struct Spread {
-  std::uint64_t count = 0;
-  double median = 0, p99 = 0, worst = 0;
-};
 
 /// One tracer at one setting of a dial.
 struct StabilityCell {

@@ -17,19 +17,23 @@ namespace {
 
 constexpr std::size_t small_bag = 32;  // triangles
 
-constexpr LeakTest beside(std::string_view name, BagFamily family, BagTarget one, BagTarget other, Precision precision) {
+constexpr LeakTest beside(std::string_view name, BagFamily family, BagTarget one, BagTarget other,
+                          Precision precision) {
   const int bits = precision == Precision::binary32 ? 24 : 53;
   return {name, family, {one, other}, BagOrigin::outside, precision, bits, 1};
 }
 
-constexpr LeakTest exactly(std::string_view name, BagFamily family, BagTarget one, BagTarget other, Precision precision) {
+constexpr LeakTest exactly(std::string_view name, BagFamily family, BagTarget one, BagTarget other,
+                           Precision precision) {
   const int bits = precision == Precision::binary32 ? 8 : 53;
   return {name, family, {one, other}, BagOrigin::outside, precision, bits, 0};
 }
 
-constexpr LeakTest from_inside(std::string_view name, BagTarget target, Precision precision) {
-  const int bits = precision == Precision::binary32 ? 24 : 53;
-  return {name, BagFamily::sphere, {target, target}, BagOrigin::inside, precision, bits, 1};
+constexpr LeakTest sphere(std::string_view name, BagTarget one, BagTarget other, BagOrigin origin,
+                          Precision precision) {
+  LeakTest test = beside(name, BagFamily::sphere, one, other, precision);
+  test.origin = origin;
+  return test;
 }
 
 constexpr auto tests_at(Precision p) {
@@ -40,8 +44,9 @@ constexpr auto tests_at(Precision p) {
                     exactly("fan, exact", BagFamily::fan, vertex, edge, p),
                     beside("strip, ulp", BagFamily::strip, vertex, edge, p),
                     exactly("strip, exact", BagFamily::strip, vertex, edge, p),
-                    from_inside("sphere, vertices", vertex, p),
-                    from_inside("sphere, edges", edge, p)};
+                    sphere("sphere, vertices", vertex, vertex, BagOrigin::inside, p),
+                    sphere("sphere, edges", edge, edge, BagOrigin::inside, p),
+                    sphere("sphere, outside", vertex, edge, BagOrigin::outside, p)};
 }
 
 constexpr auto all_tests = [] {
@@ -121,7 +126,7 @@ bool same_line(const Query& p, const Query& q) {
 
 // What a tracer says of the rays of one bag.
 struct Replies {
-  std::vector<Query> queries;             // as searched
+  std::vector<Query> queries;  // as searched
   std::vector<Answer> whole;
   std::vector<std::vector<Answer>> alone;  // the hits of triangles asked one by one
   std::vector<char> apart, faulty;         // alone
@@ -131,15 +136,14 @@ struct Replies {
 class Worker {
  public:
   explicit Worker(const LeakPlan& plan)
-      : plan_(plan), scores_(plan.tracers.size(), std::vector<LeakScore>(all_tests.size())), conduct_(plan.tracers.size()) {}
+      : plan_(plan),
+        scores_(plan.tracers.size(), std::vector<LeakScore>(all_tests.size())),
+        conduct_(plan.tracers.size()) {}
 
   void run(std::size_t test, std::uint64_t index) {
     const LeakTest& t = all_tests[test];
-    const BagAim aim{.target = t.targets[index % 2],
-                     .origin = t.origin,
-                     .precision = t.precision,
-                     .bits = t.bits,
-                     .ulps = t.ulps};
+    const BagAim aim{
+        .target = t.targets[index % 2], .origin = t.origin, .precision = t.precision, .bits = t.bits, .ulps = t.ulps};
     const std::uint64_t most = rays_of_a_bag(t.family);
     const AimedBag bag = draw(t.family, aim, std::min(most, plan_.rays - index * most), plan_.seed, index);
     const Scene scene(bag.triangles);
@@ -167,14 +171,15 @@ class Worker {
     return q;
   }
 
-  void ask(std::size_t tracer, const AimedBag& bag, const Scene& scene, const Questions& questions, LeakScore& score) {
+  void ask(std::size_t tracer, const AimedBag& bag, const Scene& scene, const Questions& questions,
+           LeakScore& score) {
     const TracerInfo& info = plan_.tracers[tracer]->info();
     const Replies replies = replies_of(tracer, bag, questions);
     for (std::size_t i = 0; i < bag.rays.size(); ++i) {
       const Query& query = replies.queries[i];
       const BagTruth own = info.own_queries ? scene.truth(query) : BagTruth{};
-      count(replies, i, {bag.triangles, query, info.own_queries ? own : questions.truths[i], info.contract}, bag.closed,
-            score);
+      count(replies, i, {bag.triangles, query, info.own_queries ? own : questions.truths[i], info.contract},
+            bag.closed, score);
     }
   }
 
@@ -190,7 +195,8 @@ class Worker {
                     .faulty = std::vector<char>(rays)};
     const auto whole = asked.prepare({.triangles = bag.triangles});
     whole->trace(bag.rays, replies.whole);
-    for (std::size_t i = 0; own && i < rays; ++i) replies.queries[i] = searched_ray(whole->asked(bag.rays[i]), contract);
+    for (std::size_t i = 0; own && i < rays; ++i)
+      replies.queries[i] = searched_ray(whole->asked(bag.rays[i]), contract);
     conduct_[tracer] += whole->conduct();
 
     std::vector<Ray> put;
@@ -205,7 +211,8 @@ class Worker {
       alone->trace(put, answers);
       for (std::size_t i = 0; i < put.size(); ++i) {
         const std::uint32_t ray = visits[i];
-        if (own && !same_line(searched_ray(alone->asked(put[i]), contract), replies.queries[ray])) replies.apart[ray] = 1;
+        if (own && !same_line(searched_ray(alone->asked(put[i]), contract), replies.queries[ray]))
+          replies.apart[ray] = 1;
         if (answers[i].outcome == Outcome::fault) replies.faulty[ray] = 1;
         if (answers[i].outcome != Outcome::hit) continue;
         answers[i].triangle = triangle;
@@ -223,7 +230,8 @@ class Worker {
     count.worst = std::max(count.worst, by_contract.ulps);
   }
 
-  static void count(const Replies& replies, std::size_t ray, const BagQuestion& question, bool closed, LeakScore& score) {
+  static void count(const Replies& replies, std::size_t ray, const BagQuestion& question, bool closed,
+                    LeakScore& score) {
     ++score.rays;
     const Contract demanding = strict(question.contract);
     const BagQuestion strictly{question.triangles, question.query, question.truth, demanding, false};
@@ -275,7 +283,8 @@ std::vector<Turn> turns_of(const LeakPlan& plan) {
     for (std::uint64_t i = 0; i < bags_of(all_tests[test], plan); ++i) list.push_back({test, i});
   }
   const auto share = [&](const Turn& turn) {
-    return std::pair(static_cast<double>(turn.index) / static_cast<double>(bags_of(all_tests[turn.test], plan)), turn.test);
+    return std::pair(static_cast<double>(turn.index) / static_cast<double>(bags_of(all_tests[turn.test], plan)),
+                     turn.test);
   };
   std::ranges::sort(list, {}, share);
   return list;

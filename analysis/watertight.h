@@ -1,8 +1,8 @@
-// Leaks and double hits, tracer by tracer: bags of triangles whose rays pass through shared edges and vertices, or by an ulp
-// beside them, asked as a whole and one triangle at a time.
+// Leaks and double hits, tracer by tracer: bags of triangles whose rays pass through shared edges and vertices, or by
+// an ulp beside them, asked as a whole and one triangle at a time.
 //
-// Every tracer is judged on what it was really asked; the truth of a ray is found once for all that search the same range.
-// Same plan, same result, whatever `jobs`.
+// Every tracer is judged on what it was really asked; the truth of a ray is found once for all that search the same
+// range. Same plan, same result, whatever `jobs`.
 #pragma once
 #include <array>
 #include <atomic>
@@ -27,17 +27,19 @@ struct LeakTest {
   int bits, ulps;       ///< as in BagAim
 };
 
-/// Of either precision the same: pairs, fans and strips, by an ulp beside and exactly, and closed spheres.
+/// Of either precision the same: pairs, fans and strips, by an ulp beside and exactly, and closed spheres from inside
+/// and from outside.
 std::span<const LeakTest> leak_tests();
 
 struct LeakPlan {
   std::vector<const Tracer*> tracers;
-  std::uint64_t rays = 10000;  ///< of each test
+  std::uint64_t rays = 5000;  ///< of each test
   std::uint64_t seed = 1;
   unsigned jobs = 1;
 };
 
-/// Of one kind of error: how often it is there, how often it breaks the tracer's contract, and the worst that does, in ulps.
+/// Of one kind of error: how often it is there, how often it breaks the tracer's contract, and the worst that does,
+/// in ulps.
 struct LeakCount {
   std::uint64_t all = 0, broken = 0;
   double worst = 0;
@@ -48,19 +50,20 @@ struct LeakCount {
 /// What `all` counts is told as if the tracer promised closed edges and no slack.
 struct LeakScore {
   std::uint64_t rays = 0;
-  // Triangles asked one by one: each with the rays that cross it or one that shares a vertex with it, in a small bag with
-  // all of them.
-  LeakCount leaks;      ///< a triangle is crossed and none is hit, or not all of the surfaces that are crossed
-  LeakCount doubles;    ///< one is hit that isn't crossed, beside those that are
-  LeakCount displaced;  ///< one is hit that isn't crossed, for one that is
-  LeakCount parity;     ///< of closed bags: an odd number of hits where it should be even, or the other way round
+  // Triangles asked one by one: each with the rays that cross it or one that shares a vertex with it, in a small bag
+  // with all of them.
+  LeakCount leaks = {};      ///< a triangle is crossed and none is hit, or not all of the surfaces that are crossed
+  LeakCount doubles = {};    ///< one is hit that isn't crossed, beside those that are
+  LeakCount displaced = {};  ///< one is hit that isn't crossed, for one that is
+  LeakCount parity = {};    ///< of closed bags: an odd number of hits where it should be even, or the other way round
   std::uint64_t apart = 0;  ///< rays not counted above: its interface asked the triangles other lines than the bag
   // The bag as a whole.
-  LeakCount bag_leaks;      ///< something is crossed and the answer is a miss
-  LeakCount nearest;        ///< the hit is of a triangle that isn't nearest
-  LeakCount false_hits;     ///< nothing is there
-  std::uint64_t culled_leaks = 0, culled_nearest = 0;  ///< of these, lost in boxes and traversal, not by the triangle test
-  std::uint64_t faults = 0;                            ///< rays without an answer
+  LeakCount bag_leaks = {};   ///< something is crossed and the answer is a miss
+  LeakCount nearest = {};     ///< the hit is of a triangle that isn't nearest
+  LeakCount false_hits = {};  ///< nothing is there
+  std::uint64_t culled_leaks = 0;    ///< of bag_leaks, those lost in boxes and traversal, not by the triangle test
+  std::uint64_t culled_nearest = 0;  ///< of nearest, likewise
+  std::uint64_t faults = 0;          ///< rays without an answer
   LeakScore& operator+=(const LeakScore& more);
   friend bool operator==(const LeakScore&, const LeakScore&) = default;
 };

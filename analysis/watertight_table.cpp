@@ -48,8 +48,8 @@ std::string with_culled(std::initializer_list<std::uint64_t> counts, std::uint64
 }
 
 std::vector<std::string> sphere_cells(const LeakScore& s, Part part) {
-  return {with_culled({s.leaks.*part, s.bag_leaks.*part}, s.culled_leaks), with_culled({s.nearest.*part}, s.culled_nearest),
-          number(s.parity.*part)};
+  return {with_culled({s.leaks.*part, s.bag_leaks.*part}, s.culled_leaks),
+          with_culled({s.nearest.*part}, s.culled_nearest), number(s.parity.*part)};
 }
 
 TextTable table_of(const LeakResult& result, Precision precision, bool spheres) {
@@ -62,7 +62,8 @@ TextTable table_of(const LeakResult& result, Precision precision, bool spheres) 
     const std::string aimed_at = name.substr(name.find(' ') + 1);
     for (const char* title : {": leaks", ": nearest", ": parity"}) table.columns.push_back({aimed_at + title, true});
   }
-  for (const char* title : {"worst leak, ulps", spheres ? "worst nearest, ulps" : "worst double, ulps", "apart", "faults"})
+  for (const char* title :
+       {"worst leak, ulps", spheres ? "worst nearest, ulps" : "worst double, ulps", "apart", "faults"})
     table.columns.push_back({title, true});
   const auto cells = spheres ? sphere_cells : small_cells;
   for (std::size_t i = 0; i < result.scores.size(); ++i) {
@@ -77,8 +78,8 @@ TextTable table_of(const LeakResult& result, Precision precision, bool spheres) 
     if (sum.rays == 0) continue;
     const bool differs = !std::equal(all.begin() + 1, all.end(), broken.begin() + 1);
     all.insert(all.end(), {ulps(std::max(sum.leaks.worst, sum.bag_leaks.worst)),
-                           ulps(spheres ? sum.nearest.worst : sum.doubles.worst), sum.apart == 0 ? "" : number(sum.apart),
-                           sum.faults == 0 ? "" : number(sum.faults)});
+                           ulps(spheres ? sum.nearest.worst : sum.doubles.worst),
+                           sum.apart == 0 ? "" : number(sum.apart), sum.faults == 0 ? "" : number(sum.faults)});
     broken.resize(all.size());
     table.rows.push_back(all);
     if (differs) table.rows.push_back(broken);
@@ -90,9 +91,12 @@ constexpr std::string_view small_legend =
     "Triangles asked one by one, leaks/double hits: something is crossed and nothing is hit, or too much.\n"
     "ulp: by up to an ulp in each component beside an edge or vertex; exact: through it.\n";
 constexpr std::string_view sphere_legend =
-    "Closed spheres from inside, by up to an ulp beside vertices and points of edges. leaks: triangles asked one by one/the\n"
-    "bag as a whole/of these, lost in boxes and traversal, for the triangle alone is hit. nearest: the bag's answer is another\n"
-    "triangle/of these, lost likewise. parity: triangles one by one, an even number of hits for an odd one.\n";
+    "Closed spheres, by up to an ulp beside vertices and points of edges: from inside each, and both from outside,\n"
+    "into the sphere and out of it. leaks: triangles asked one by one/the bag as a whole/of these, lost in boxes "
+    "and\n"
+    "traversal, for the triangle alone is hit. nearest: the bag's answer is another triangle/of these, lost "
+    "likewise.\n"
+    "parity: triangles one by one, an even number of hits for an odd one, or the other way round.\n";
 
 std::string text_of(const LeakResult& result, std::string (*render)(const TextTable&), std::string_view heading) {
   std::string text;
@@ -100,8 +104,8 @@ std::string text_of(const LeakResult& result, std::string (*render)(const TextTa
     for (const bool spheres : {false, true}) {
       const TextTable table = table_of(result, precision, spheres);
       if (table.rows.empty()) continue;
-      text += fmt::format("{}{}{} inputs, {}: {} rays a column\n\n", text.empty() ? "" : "\n", heading, name(precision),
-                          spheres ? "closed spheres" : "pairs, fans, strips", result.plan.rays);
+      text += fmt::format("{}{}{} inputs, {}: {} rays a column\n\n", text.empty() ? "" : "\n", heading,
+                          name(precision), spheres ? "closed spheres" : "pairs, fans, strips", result.plan.rays);
       text += fmt::format("{}\n{}", spheres ? sphere_legend : small_legend, render(table));
     }
   return text;

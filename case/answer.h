@@ -21,4 +21,11 @@ struct Answer {
   double in = 0, out = 0;  ///< where the ray enters and leaves the object, as parameters along the ray
 };
 
+/// A piece of the ray inside the object: the ends as parameters along the ray, and the triangles that they belong to.
+struct Passage {
+  double in = 0, out = 0;
+  std::uint32_t triangle_in = 0, triangle_out = 0;
+  friend bool operator==(const Passage&, const Passage&) = default;
+};
+
 }  // namespace plumbline

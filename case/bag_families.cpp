@@ -74,13 +74,15 @@ class Drawer {
     }
   }
 
-  // Along the x axis the points X; the triangles below it have the whole edges X[i] X[i+1], those above it the halves.
+  // Along the x axis the points X; the triangles below it have the whole edges X[i] X[i+1], those above it the
+  // halves.
   Shape strip() {
     const auto cells = random_.integer(2, 4);
     const std::int64_t eighth = quarter_ / 2;  // the middles of X are to be vertices
     std::vector<Point> x, low, high;
     for (std::int64_t i = 0; i <= cells; ++i) {
-      const std::int64_t along = -3 * eighth / 4 + i * (3 * eighth / 2) / cells + random_.integer(-eighth / 8, eighth / 8);
+      const std::int64_t along =
+          -3 * eighth / 4 + i * (3 * eighth / 2) / cells + random_.integer(-eighth / 8, eighth / 8);
       const std::int64_t up = random_.integer(-eighth / 4, eighth / 4);
       x.push_back(8 * Point{along, 0, up});
     }
@@ -159,7 +161,8 @@ class Drawer {
   }
 
   Shape overlap() {
-    const std::int64_t count = random_.integer(2, 5), along_x = random_.integer(-1, 1), along_y = random_.integer(-1, 1);
+    const std::int64_t count = random_.integer(2, 5), along_x = random_.integer(-1, 1),
+                       along_y = random_.integer(-1, 1);
     const auto in_plane = [&] {
       Point p = flat(quarter_ / 3);
       p.z = along_x * p.x + along_y * p.y;
@@ -244,7 +247,8 @@ class Drawer {
         for (std::size_t k = j + 1; k < v.size(); ++k) {
           if (!near(i, j) || !near(j, k) || !near(k, i)) continue;
           const Vec3 &a = v[i], &b = v[j], &c = v[k];
-          const double volume = a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
+          const double volume =
+              a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
           faces.push_back(volume > 0 ? std::array{a, b, c} : std::array{a, c, b});
         }
     return faces;
@@ -335,7 +339,8 @@ int side(const Face& face, const Point& p) {
   return volume > 0 ? 1 : volume < 0 ? -1 : 0;
 }
 
-Point origin_for(const Shape& shape, const Target& target, BagOrigin where, bool closed, std::int64_t one, Random& random) {
+Point origin_for(const Shape& shape, const Target& target, BagOrigin where, bool closed, std::int64_t one,
+                 Random& random) {
   const auto faces = faces_around(shape, target);
   Point origin;
   for (int tries = 0; tries < 64; ++tries) {
@@ -370,7 +375,8 @@ AimedBag draw(BagFamily family, const BagAim& aim, std::size_t rays, std::uint64
   AimedBag bag{.triangles = {}, .closed = family == BagFamily::sphere, .rays = {}};
   for (const auto& [corner] : shape.faces) {
     const std::size_t first = random.below(3);
-    bag.triangles.push_back({to_vec(corner[first]), to_vec(corner[(first + 1) % 3]), to_vec(corner[(first + 2) % 3])});
+    bag.triangles.push_back(
+        {to_vec(corner[first]), to_vec(corner[(first + 1) % 3]), to_vec(corner[(first + 2) % 3])});
   }
   for (std::size_t i = 0; i < rays; ++i) {
     const Target target = target_in(shape, aim.target, random);

@@ -1,10 +1,10 @@
-// Seeded families of bags of triangles, with rays aimed at what is hard in them: the edges and vertices that triangles
-// share. A family, an aim, a seed and an index give the same bits on every machine.
+// Seeded families of bags of triangles, with rays aimed at what is hard in them: the edges and vertices that
+// triangles share. A family, an aim, a seed and an index give the same bits on every machine.
 //
 // Exact by construction: coordinates are whole multiples of 2^(2 - bits), below 2 in magnitude; those of vertices are
-// multiples of four such units, so that the quarter points of an edge are points of the grid as well. A ray goes from one
-// point of the grid towards another, so it passes exactly through what it is aimed at, unless `ulps` moves it aside. What it
-// meets in all is the oracle's to say.
+// multiples of four such units, so that the quarter points of an edge are points of the grid as well. A ray goes from
+// one point of the grid towards another, so it passes exactly through what it is aimed at, unless `ulps` moves it
+// aside. What it meets in all is the oracle's to say.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -33,8 +33,8 @@ inline constexpr std::array<std::string_view, 7> bag_family_summaries = {
 };
 constexpr std::string_view summary(BagFamily f) { return bag_family_summaries[static_cast<unsigned>(f)]; }
 
-/// How many bags the family lattice has; its index counts through them, again and again. Triangles without area are among
-/// them.
+/// How many bags the family lattice has; its index counts through them, again and again. Triangles without area are
+/// among them.
 inline constexpr std::uint64_t lattice_bags = 27 * 26 / 2 * (25 * 24 / 2);
 
 enum class BagTarget : unsigned char {
@@ -43,8 +43,8 @@ enum class BagTarget : unsigned char {
   face,    ///< inside of a triangle
 };
 
-/// From outside and inside, where there is such a place, all triangles around the target are seen from one side: the ray
-/// goes through, and touches no fold.
+/// From outside and inside, where there is such a place, all triangles around the target are seen from one side: the
+/// ray goes through, and touches no fold.
 enum class BagOrigin : unsigned char {
   outside,  ///< of a bag that isn't closed: in front of it
   inside,   ///< or behind
@@ -55,7 +55,8 @@ struct BagAim {
   BagTarget target = BagTarget::edge;
   BagOrigin origin = BagOrigin::outside;
   Precision precision = Precision::binary32;  ///< all numbers are representable in it
-  int bits = 8;  ///< 8 to 24, in binary64 to 53: with 8, the products of three differences are exact in either precision
+  /// 8 to 24, in binary64 to 53. With 8, the products of three differences are exact in either precision.
+  int bits = 8;
   int ulps = 0;  ///< by up to so many units in the last place each component of the direction is moved that isn't 0
 };
 

@@ -42,7 +42,7 @@ std::string_view meaning(Dial dial);
 /// From easy to as hard as the precision can hold, in even steps.
 std::vector<int> settings(Dial dial, Precision precision);
 
-/// One of settings().
+/// At one of settings(), or any in between.
 Shot draw(Dial dial, int setting, Precision precision, std::uint64_t seed, std::uint64_t index);
 
 }  // namespace plumbline

@@ -10,7 +10,7 @@ struct Place {
   std::size_t line = 0, column = 0;  ///< from 1, the column in bytes
 };
 
-/// Throws InputError "file:line:column: message".
+/// Throws InputError "file:line:column: message", of which what is not printable, quoted from the file, is escaped.
 [[noreturn]] void fail(const Place& place, std::string_view message);
 
 }  // namespace plumbline

@@ -50,6 +50,7 @@ int run(int argc, char** argv) {
   plumbline::add_explain(app);
   plumbline::add_export(app);
   plumbline::add_tracers(app);
+  plumbline::add_self_hits(app);
   plumbline::add_bench(app);
   app.footer(
       "Exit codes: judge and replay: 0 agree, 1 disagreement found, 2 trouble; all other verbs: 0 or 2.\n"

@@ -24,7 +24,8 @@ struct MakeOptions {
 };
 
 void print_report(const ReportOptions& options) {
-  if (options.file.empty()) throw InputError("which mesh? Name a file .obj, .ply or .stl; see 'plumbline mesh --help'");
+  if (options.file.empty())
+    throw InputError("which mesh? Name a file .obj, .ply or .stl; see 'plumbline mesh --help'");
   const MeshReport found = report(read_mesh(options.file));
   Output output;
   output.write(options.json ? to_json(found) : to_text(found));
@@ -66,9 +67,10 @@ void add_make(CLI::App& mesh) {
       ->check(CLI::IsMember(std::vector<std::string>(precision_names.begin(), precision_names.end())))
       ->type_name("PRECISION")
       ->capture_default_str();
-  verb->add_option("-o,--output", o.output,
-                   "Where it goes, by its name a PLY (binary, of floats or doubles) or an OBJ; it appears whole or not at "
-                   "all")
+  verb->add_option(
+          "-o,--output", o.output,
+          "Where it goes, by its name a PLY (binary, of floats or doubles) or an OBJ; it appears whole or not at "
+          "all")
       ->type_name("FILE")
       ->required();
   verb->footer(
@@ -86,7 +88,8 @@ void add_mesh(CLI::App& app) {
   verb->add_option("FILE", options->file, "A mesh: .obj, .ply (ascii or binary) or .stl (ascii or binary)");
   verb->add_flag("--json", options->json, "One JSON object instead of lines");
   verb->footer(
-      "Vertices with equal coordinates are one vertex, exactly: no tolerance. Polygons become fans. Triangles count from 0.\n"
+      "Vertices with equal coordinates are one vertex, exactly: no tolerance. Polygons become fans. Triangles count "
+      "from 0.\n"
       "  coordinates       binary32 if all of them are floats, else binary64\n"
       "  pieces            triangles that hang together by vertices\n"
       "  degenerate        triangles without area, exactly: no ray hits them\n"
@@ -96,7 +99,8 @@ void add_mesh(CLI::App& app) {
       "  misoriented       edges of two triangles that run along it the same way: one of them is inside out\n"
       "  closed            every edge is of two triangles that run along it in opposite ways\n"
       "  least edge, least altitude\n"
-      "                    of a triangle with area, in units in the last place of the largest coordinate: a feature of a\n"
+      "                    of a triangle with area, in units in the last place of the largest coordinate: a feature "
+      "of a\n"
       "                    few ulps is as coarse as the numbers that hold it, and a tracer can't do better\n"
       "\nExamples:\n"
       "  plumbline mesh bunny.ply\n"

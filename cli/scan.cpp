@@ -20,10 +20,14 @@
 #include "case/folder.h"
 #include "case/input_error.h"
 #include "case/shell_word.h"
+#include "cli/findings_option.h"
 #include "cli/number_options.h"
 #include "cli/output.h"
 #include "cli/tracer_options.h"
 #include "cli/verb.h"
+#include "findings/collector.h"
+#include "findings/found.h"
+#include "findings/store.h"
 #include "mesh/mesh_report.h"
 #include "mesh/read_mesh.h"
 
@@ -33,7 +37,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct Options {
-  std::string mesh, folder;
+  std::string mesh, folder, store;
   std::vector<std::string> tracers, aims;
   std::vector<std::array<double, 3>> views;
   std::uint64_t rays = 1'000'000, seed = 1;
@@ -96,7 +100,7 @@ class ScanFolder {
   ScanState begin(const ScanPlan& plan) const {
     std::ifstream file(path_ / "scan.state");
     std::string first, second;
-    if (path_.empty() || !file) return {};
+    if (path_.empty() || !file) return blank(plan);
     std::getline(file, first);
     std::getline(file, second);
     if (first != plan_line_)
@@ -160,6 +164,7 @@ class Run {
     plan_.jobs = options.jobs;
     plan_.on_finding = [this](const ScanFinding& f) { take(f); };
     folder_.emplace(options.folder, plan_, options);
+    if (!options.store.empty()) store_.emplace((FindingStore(options.store, Open::create), options.store), "scan");
   }
 
   void run() {
@@ -167,6 +172,8 @@ class Run {
     Output output;
     output.write(to_text(report(mesh_)) + "\n");
     output.flush();
+    // Or it's told here that it can't be written. The first file written catches signals: so before ours are.
+    if (!options_.folder.empty()) folder_->keep(begin);
     meant = std::signal(SIGINT, SIG_IGN);
     std::signal(SIGINT, interrupt);
     const ScanResult result = scan(plan_, begin, interrupted, [this](const ScanProgress& p) { show(p); });
@@ -181,6 +188,7 @@ class Run {
     }
     output.write(table);
     output.finish();
+    if (store_) finish_store(result);
     for (std::size_t t = 0; t < plan_.tracers.size(); ++t)
       fmt::print(stderr, "{}", complaints(plan_.tracers[t]->info().name, result.conduct[t]));
     if (!result.complete)
@@ -201,6 +209,12 @@ class Run {
     folder_->write(std::filesystem::path("findings") / file_name(f.tracer->info().name) / (word + ".case"),
                    to_text(case_of(f, options_)));
     kept_.insert_or_assign({f.tracer->info().name, word}, Kept{f, {}});
+    // What can't be seen again with a few triangles is no case for a store.
+    if (store_ && f.reproduced) store_->add(for_store(f, f.what, f.judgement));
+  }
+
+  FoundFinding for_store(const ScanFinding& f, const Case& what, const BagJudgement& judgement) const {
+    return found_bag_finding(f.tracer->info(), f.signature, judgement, what, "scan of " + options_.mesh);
   }
 
   void shrink_findings() {
@@ -211,6 +225,7 @@ class Run {
       if (!kept.finding.reproduced) continue;
       kept.shrunk = shrink_bag(kept.finding.what, *kept.finding.tracer);
       if (!kept.shrunk) continue;
+      if (store_) store_->add_plainer(for_store(kept.finding, kept.shrunk->what, kept.shrunk->after.judgement));
       Case simple = case_of(kept.finding, options_);
       simple.provenance.push_back(fmt::format("shrunk: {} triangles -> {}, {} -> {} significant bits",
                                               kept.finding.what.bag.triangles.size(), kept.shrunk->what.bag.triangles.size(),
@@ -219,6 +234,11 @@ class Run {
       simple.ray = kept.shrunk->what.ray;
       folder_->write(std::filesystem::path("findings") / file_name(key.first) / (key.second + ".min.case"), to_text(simple));
     }
+  }
+
+  void finish_store(const ScanResult& result) {
+    for (const Tracer* tracer : plan_.tracers) store_->count(tracer->info().name, result.rays);
+    store_->finish();
   }
 
   std::string findings_table() const {
@@ -264,6 +284,7 @@ class Run {
   Mesh mesh_;
   ScanPlan plan_;
   std::optional<ScanFolder> folder_;
+  std::optional<Collector> store_;
   std::map<std::pair<std::string, std::string>, Kept> kept_;  // by tracer and word
   bool terminal_ = isatty(STDERR_FILENO) != 0;
   Clock::time_point kept_at_ = Clock::now();
@@ -300,6 +321,7 @@ void add_scan(CLI::App& app) {
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
   verb->add_flag("!--no-shrink", o.shrink, "Leave the findings as they were found");
+  add_findings_option(*verb, o.store);
   verb->add_option("-o", o.folder, "Keep everything in this folder: the table, the CSV, a .case for each finding; the same "
                                    "command takes up a scan that was cut off")
       ->type_name("DIR");
@@ -310,8 +332,10 @@ void add_scan(CLI::App& app) {
                "\nA tracer with a tree of its own (Embree, ODE, VTK, libraries and programs of yours) gets the whole mesh, built\n"
                "once for each thread. One that looks at each triangle gets it up to 1024 triangles, and beyond that, for each\n"
                "ray, the triangles whose boxes the ray meets.\n"
-               "Columns: a leak is a miss of a point that has to be hit by the tracer's contract; lost by culling is what the\n"
-               "tracer hits if it is asked about that triangle alone, so that its boxes or its way through them lost it;\n"
+               "Columns: a leak is a miss where something has to be hit by the tracer's contract: inside of a triangle, on an\n"
+               "edge, at a vertex. Through: the nearest is missed, and what lies behind it is hit. Beside: what is hit isn't on\n"
+               "the ray at all, mostly a neighbour. Lost by culling: the tracer hits that triangle if it is asked about it alone,\n"
+               "so that its boxes or its way through them lost it. Worst: severity, see docs/scan.md.\n"
                "'exact takes' is the time of the exact nearest hit over the tracer's, best measured with --jobs 1.\n\n" +
                std::string(foreign_tracers_help) +
                "\nExamples:\n"

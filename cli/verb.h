@@ -23,6 +23,7 @@ void add_replay(CLI::App& app, bool& disagreement);
 void add_explain(CLI::App& app);
 void add_export(CLI::App& app);
 void add_tracers(CLI::App& app);
+void add_self_hits(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_bench_tracers(CLI::App& bench);
 void add_fuzz(CLI::App& app);

@@ -20,7 +20,7 @@ namespace {
 struct Options {
   std::vector<std::string> tracers;
   ForeignOptions foreign;
-  std::uint64_t rays = 10000, seed = 1;
+  std::uint64_t rays = 5000, seed = 1;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   std::string csv, markdown;
 };
@@ -42,7 +42,8 @@ void show_progress(std::uint64_t done, std::uint64_t planned) {
 
 void run(const Options& options) {
   const LeakPlan plan{
-      .tracers = find_tracers(options.tracers.empty() ? std::vector<std::string>{"all"} : options.tracers, options.foreign),
+      .tracers =
+          find_tracers(options.tracers.empty() ? std::vector<std::string>{"all"} : options.tracers, options.foreign),
       .rays = options.rays,
       .seed = options.seed,
       .jobs = options.jobs};
@@ -76,7 +77,7 @@ void run(const Options& options) {
     fmt::print(stderr, "{}", complaints(plan.tracers[i]->info().name, result.conduct[i]));
   if (partial)
     throw std::runtime_error(fmt::format(
-        "interrupted after {} of {} bags: what is printed is of these, a share of each column, and no file is written",
+        "interrupted after {} of {} bags: this is of these, a share of each column, and no file is written",
         result.done, result.planned));
 }
 
@@ -91,20 +92,26 @@ void add_watertight(CLI::App& app) {
       ->type_name("NAME");
   add_tracer_timeout(*verb, o.foreign);
   verb->add_option("--rays", o.rays, "Of each column")->check(whole_number())->type_name("N")->capture_default_str();
-  verb->add_option("--seed", o.seed, "Of bags and rays")->check(whole_number())->type_name("N")->capture_default_str();
+  verb->add_option("--seed", o.seed, "Of bags and rays")
+      ->check(whole_number())
+      ->type_name("N")
+      ->capture_default_str();
   verb->add_option("--jobs", o.jobs, "Threads; the counts don't depend on them (default: one per core)")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
   verb->add_option("-o", o.csv, "Write all counts as CSV")->type_name("FILE");
   verb->add_option("--markdown", o.markdown, "Write the tables as Markdown")->type_name("FILE");
   verb->footer(
-      "Bags of triangles with an exact truth: pairs that share an edge, fans around a vertex, strips with vertices within\n"
-      "an edge, closed spheres. Rays pass through shared edges and vertices exactly, or by an ulp beside them. Each tracer\n"
-      "is asked the bag as a whole and its triangles one by one. A leak: something is crossed, the answer is a miss. A\n"
-      "double hit: besides the triangles crossed, another is hit. Both are counted as if edges were promised to be closed\n"
-      "and nothing to be widened; what the tracer's own contract doesn't forbid is left out of the line below.\n"
-      "Binary64 inputs, of full mantissas, are for tracers that read them. apart: rays of which the interface makes other\n"
-      "lines for the triangles than for the bag, and which can be judged with the bag alone.\n"
+      "Bags of triangles with an exact truth: pairs that share an edge, fans around a vertex, strips with vertices\n"
+      "within an edge, closed spheres. Rays pass through shared edges and vertices exactly, or by an ulp beside "
+      "them.\n"
+      "Each tracer is asked the bag as a whole and its triangles one by one. A leak: something is crossed, the "
+      "answer\n"
+      "is a miss. A double hit: besides the triangles crossed, another is hit. Both are counted as if edges were\n"
+      "promised to be closed and nothing to be widened; what the tracer's own contract doesn't forbid is left out "
+      "of\n"
+      "the line below. Binary64 inputs, of full mantissas, are for tracers that read them. apart: rays of which the\n"
+      "interface makes other lines for the triangles than for the bag, and which can be judged with the bag alone.\n"
       "Interrupted (Ctrl-C), it prints what is done, writes no file and exits with 2.\n\n" +
       std::string(foreign_tracers_help) +
       "\nExamples:\n"

@@ -18,6 +18,8 @@ class Collector {
   /// Answers of this tracer that were looked at.
   void count(const std::string& tracer, std::uint64_t answers);
   void add(const FoundFinding& finding);
+  /// A plainer form of what was added.
+  void add_plainer(const FoundFinding& finding) { teller_.tell(finding); }
   /// Tells a search for each tracer. Throws InputError where anything could not be told up to now.
   void finish();
 

@@ -18,7 +18,7 @@ enum class Rejection : unsigned char {
   bc,        ///< the same, where u > 1, v > 1 or u + v > 1
   ca,        ///< the same, where u < 0
   t,         ///< outside the range
-  segment,   ///< hit, and dropped: the entry or the exit that belongs to it is missing (brlcad/segment.h)
+  segment,   ///< hit, and dropped: the entry or the exit that belongs to it is missing (brlcad/passages.h)
 };
 inline constexpr std::array<std::string_view, 10> rejection_names = {"none", "face", "box", "nudge", "parallel",
                                                                      "ab",   "bc",   "ca",  "t",     "segment"};

@@ -32,6 +32,10 @@ class PreparedBag {
   /// a bag that isn't one triangle.
   virtual Rejection rejection(const Ray& ray);
 
+  /// Replaces `passages` by every piece of the ray inside the object, in order along it; none of a miss. The first is what
+  /// Answer::in and out tell. False, and none: no answer (Outcome::fault), or the tracer doesn't tell.
+  virtual bool passages(const Ray& ray, std::vector<Passage>& passages);
+
   /// Whether a call of trace, up to now, left the floating-point controls changed.
   bool disturbed() const { return conduct_.disturbed; }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "case/float_bits.h"
 #include "case/json_object.h"
@@ -20,8 +21,8 @@ void count(Flaw& flaw, std::uint32_t triangle) {
 
 double magnitude(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-// Margins know nothing of a triangle without area, nor of one in whose plane the ray runs and meets it. Rays along all
-// three axes can't run in one plane: so where none has an answer, the triangle has no area.
+// Margins know nothing of a triangle without area, nor of one in whose plane the ray runs and meets it. Rays along
+// all three axes can't run in one plane: so where none has an answer, the triangle has no area.
 std::optional<Margins> margins_of(const Triangle& triangle, Precision precision) {
   for (const Vec3& direction : {Vec3{0, 0, 1}, Vec3{0, 1, 0}, Vec3{1, 0, 0}})
     if (auto found = margins(triangle, Ray{{0, 0, 0}, direction}, precision)) return found;
@@ -33,7 +34,8 @@ class Ruler {
  public:
   explicit Ruler(const MeshReport& of) {
     const double largest = of.largest_coordinate;
-    exponent_ = of.precision == Precision::binary32 ? ulp_exponent(static_cast<float>(largest)) : ulp_exponent(largest);
+    exponent_ =
+        of.precision == Precision::binary32 ? ulp_exponent(static_cast<float>(largest)) : ulp_exponent(largest);
     if (largest >= 0x1p1023) half_ = 0.5;  // a difference of two such may overflow
   }
 
@@ -70,25 +72,21 @@ void look_at_triangles(const Mesh& mesh, MeshReport& report) {
       continue;
     }
     keep_less(report.altitude, ruler.altitude(t, *m), i);
-    keep_less(report.edge, std::min({ruler.distance(t.a, t.b), ruler.distance(t.b, t.c), ruler.distance(t.c, t.a)}), i);
+    keep_less(report.edge, std::min({ruler.distance(t.a, t.b), ruler.distance(t.b, t.c), ruler.distance(t.c, t.a)}),
+              i);
   }
 }
 
 void look_for_duplicates(const Mesh& mesh, MeshReport& report) {
-  struct Named {
-    Corners corners;
-    std::uint32_t triangle;
-    auto operator<=>(const Named&) const = default;
-  };
-  std::vector<Named> sorted;
+  std::vector<std::pair<Corners, std::uint32_t>> sorted;  // with whose corners they are
   sorted.reserve(mesh.triangles.size());
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    sorted.push_back({mesh.triangles[i], i});
-    std::ranges::sort(sorted.back().corners);
+    sorted.emplace_back(mesh.triangles[i], i);
+    std::ranges::sort(sorted.back().first);
   }
   std::ranges::sort(sorted);
   for (std::size_t k = 1; k < sorted.size(); ++k)
-    if (sorted[k].corners == sorted[k - 1].corners) count(report.duplicate, sorted[k].triangle);
+    if (sorted[k].first == sorted[k - 1].first) count(report.duplicate, sorted[k].second);
 }
 
 void look_at_edges(const Mesh& mesh, MeshReport& report) {
@@ -103,7 +101,7 @@ void look_at_edges(const Mesh& mesh, MeshReport& report) {
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto [a, b, c] = mesh.triangles[i];
     if (a == b || b == c || c == a) continue;
-    for (const auto [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
       sorted.push_back({std::min(from, to), std::max(from, to), i, from < to});
   }
   std::ranges::sort(sorted);
@@ -127,7 +125,7 @@ class Pieces {
     return v;
   }
   void join(std::uint32_t v, std::uint32_t w) {
-    const auto [low, high] = std::minmax(root(v), root(w));
+    const auto [low, high] = std::minmax({root(v), root(w)});
     parent_[high] = low;
   }
 

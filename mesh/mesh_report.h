@@ -1,5 +1,5 @@
-// What a mesh cannot hold, before any ray is traced: without area, twice, open, tangled, inside out, or too small for its
-// numbers. Whether a triangle has area is decided exactly. Takes O(n log n): a second for 10^6 triangles.
+// What a mesh cannot hold, before any ray is traced: without area, twice, open, tangled, inside out, or too small for
+// its numbers. Whether a triangle has area is decided exactly. Takes O(n log n): a second for 10^6 triangles.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -26,16 +26,16 @@ struct LeastLength {
 struct MeshReport {
   std::uint64_t triangles = 0, vertices = 0;
   Precision precision = Precision::binary64;
-  double largest_coordinate = 0;     ///< in magnitude
+  double largest_coordinate = 0;        ///< in magnitude
   std::uint64_t isolated_vertices = 0;  ///< of no triangle
   std::uint64_t pieces = 0;             ///< of triangles that hang together by vertices
   Flaw degenerate;                      ///< triangles without area: N = 0 exactly
   Flaw duplicate;                       ///< triangles with the vertices of an earlier one, in whatever order
   // Edges; a triangle that has a vertex twice has none.
-  Flaw open;          ///< of one triangle
-  Flaw non_manifold;  ///< of three or more
-  Flaw misoriented;   ///< of two that run along it the same way
-  bool closed = false;  ///< there are edges, and none of the three above
+  Flaw open;                                  ///< of one triangle
+  Flaw non_manifold;                          ///< of three or more
+  Flaw misoriented;                           ///< of two that run along it the same way
+  bool closed = false;                        ///< there are edges, and none of the three above
   std::optional<LeastLength> edge, altitude;  ///< the least; no value where no triangle has area
   friend bool operator==(const MeshReport&, const MeshReport&) = default;
 };

@@ -1,5 +1,7 @@
 // The words of a line of a text mesh: what stands between blanks. Private to mesh.
 #pragma once
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -33,13 +35,13 @@ inline std::optional<double> parse_decimal(std::string_view word) {
 }
 
 /// A word of a file as messages show it.
-inline std::string quoted(std::string_view word) { return "'" + printable(word.substr(0, 40)) + "'"; }
+inline std::string quoted(std::string_view word) { return fmt::format("'{}'", printable(word.substr(0, 40))); }
 
 /// Why the word is no coordinate; empty if it is one.
 inline std::string coordinate_trouble(std::string_view word) {
   const auto x = parse_decimal(word);
-  if (!x) return quoted(word) + " is no decimal number";
-  return is_finite(*x) ? "" : "the coordinate " + quoted(word) + " is not finite";
+  if (!x) return fmt::format("{} is no decimal number", quoted(word));
+  return is_finite(*x) ? "" : fmt::format("the coordinate {} is not finite", quoted(word));
 }
 
 }  // namespace plumbline

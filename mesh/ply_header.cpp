@@ -30,7 +30,8 @@ class HeaderReader {
       else if (words_[0] == "property")
         read_property();
       else
-        fail(fmt::format("{} is no keyword of a PLY header", quoted(words_[0])));
+        fail(fmt::format("{} is no keyword of a PLY header; remove the line, or write 'comment' in front",
+                         quoted(words_[0])));
     }
     give_roles();
     header_.size = at_;
@@ -41,7 +42,8 @@ class HeaderReader {
  private:
   void next_line() {
     const auto end = bytes_.find('\n', at_);
-    if (end == bytes_.npos) throw InputError(fmt::format("{}: no 'end_header'; the file is cut off, or no PLY", file_));
+    if (end == bytes_.npos)
+      throw InputError(fmt::format("{}: no 'end_header'; the file is cut off, or no PLY", file_));
     split_words(bytes_.substr(at_, end - at_), words_);
     at_ = end + 1;
     ++line_;
@@ -134,9 +136,12 @@ class HeaderReader {
 
 std::string_view plain_name(const PlyProperty& property) {
   switch (property.role) {
-    case PlyRole::coordinate: return property.name;
-    case PlyRole::corners: return "vertex_indices";
-    case PlyRole::none: break;
+    case PlyRole::coordinate:
+      return property.name;
+    case PlyRole::corners:
+      return "vertex_indices";
+    case PlyRole::none:
+      break;
   }
   return "_";
 }

@@ -41,7 +41,7 @@ struct PlyElement {
 struct PlyHeader {
   PlyFormat format;
   std::vector<PlyElement> elements;
-  std::size_t size;   ///< in bytes, the end of line behind end_header included
+  std::size_t size;  ///< in bytes, the end of line behind end_header included
   std::size_t lines;
 };
 

@@ -15,9 +15,15 @@ std::optional<PolygonSoup> read_polygon_soup(std::string vetted, MeshFormat form
   std::istringstream file(std::move(vetted), std::ios::in | std::ios::binary);
   bool read = false;
   switch (format) {
-    case MeshFormat::obj: read = CGAL::IO::read_OBJ(file, points, soup.polygons); break;
-    case MeshFormat::ply: read = CGAL::IO::read_PLY(file, points, soup.polygons); break;
-    case MeshFormat::stl: read = CGAL::IO::read_STL(file, points, soup.polygons); break;
+    case MeshFormat::obj:
+      read = CGAL::IO::read_OBJ(file, points, soup.polygons);
+      break;
+    case MeshFormat::ply:
+      read = CGAL::IO::read_PLY(file, points, soup.polygons);
+      break;
+    case MeshFormat::stl:
+      read = CGAL::IO::read_STL(file, points, soup.polygons);
+      break;
   }
   if (!read) return std::nullopt;
   soup.points.reserve(points.size());

@@ -28,14 +28,14 @@ struct Packed {
 };
 constexpr std::array<Packed, 5> packed = {{{"\x1f\x8b", "gzip"},
                                            {"BZh", "bzip2"},
-                                           {"\xfd" "7zXZ", "xz"},
+                                           {"\xfd"
+                                            "7zXZ",
+                                            "xz"},
                                            {"\x28\xb5\x2f\xfd", "zstd"},
                                            {"PK\x03\x04", "zip"}}};
 
 std::string bytes_of(const std::string& path) {
-  const auto fail = [&path](std::string_view what) {
-    throw InputError(fmt::format("{}: {}", path, what));
-  };
+  const auto fail = [&path](std::string_view what) { throw InputError(fmt::format("{}: {}", path, what)); };
   struct Descriptor {
     int number;
     ~Descriptor() {
@@ -62,14 +62,18 @@ std::string bytes_of(const std::string& path) {
 
 void refuse_packed(std::string_view bytes, const std::string& name) {
   for (const auto& [magic, what] : packed)
-    if (bytes.starts_with(magic)) throw InputError(fmt::format("{}: is compressed ({}); unpack it first", name, what));
+    if (bytes.starts_with(magic))
+      throw InputError(fmt::format("{}: is compressed ({}); unpack it first", name, what));
 }
 
 std::string vetted(std::string bytes, MeshFormat format, const std::string& name) {
   switch (format) {
-    case MeshFormat::obj: return vetted_obj(std::move(bytes), name);
-    case MeshFormat::ply: return vetted_ply(std::move(bytes), name);
-    case MeshFormat::stl: break;
+    case MeshFormat::obj:
+      return vetted_obj(std::move(bytes), name);
+    case MeshFormat::ply:
+      return vetted_ply(std::move(bytes), name);
+    case MeshFormat::stl:
+      break;
   }
   return vetted_stl(std::move(bytes), name);
 }
@@ -86,12 +90,14 @@ Mesh mesh_of(PolygonSoup soup, const std::string& name) {
   for (std::size_t i = 0; i < soup.polygons.size(); ++i) {
     const std::vector<std::uint32_t>& corners = soup.polygons[i];
     if (corners.size() < 3)
-      throw InputError(fmt::format("{}: face {} (the first is 0) has {} corners, and needs three", name, i, corners.size()));
+      throw InputError(
+          fmt::format("{}: face {} (the first is 0) has {} corners, and needs three", name, i, corners.size()));
     for (const std::uint32_t corner : corners)
       if (corner >= mesh.vertices.size())
-        throw InputError(fmt::format("{}: face {} (the first is 0) has the index {}, and there are {} vertices", name, i,
-                                     corner, mesh.vertices.size()));
-    for (std::size_t k = 2; k < corners.size(); ++k) mesh.triangles.push_back({corners[0], corners[k - 1], corners[k]});
+        throw InputError(fmt::format("{}: face {} (the first is 0) has the index {}, and there are {} vertices", name,
+                                     i, corner, mesh.vertices.size()));
+    for (std::size_t k = 2; k < corners.size(); ++k)
+      mesh.triangles.push_back({corners[0], corners[k - 1], corners[k]});
   }
   if (mesh.triangles.empty()) throw InputError(fmt::format("{}: has no triangle", name));
   if (mesh.triangles.size() >= most) throw InputError(fmt::format("{}: more than 2^32 triangles", name));
@@ -102,10 +108,13 @@ Mesh mesh_of(PolygonSoup soup, const std::string& name) {
 
 MeshFormat mesh_format_of(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  const auto format = extension.empty() ? std::nullopt : from_name<MeshFormat>(mesh_format_names, extension.substr(1));
+  std::ranges::transform(extension, extension.begin(),
+                         [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  const auto format =
+      extension.empty() ? std::nullopt : from_name<MeshFormat>(mesh_format_names, extension.substr(1));
   if (!format)
-    throw InputError(fmt::format("{}: not by its name a mesh; there are .{}", path, fmt::join(mesh_format_names, ", .")));
+    throw InputError(
+        fmt::format("{}: not by its name a mesh; there are .{}", path, fmt::join(mesh_format_names, ", .")));
   return *format;
 }
 
@@ -113,7 +122,8 @@ Mesh parse_mesh(std::string bytes, MeshFormat format, const std::string& name) {
   if (bytes.empty()) throw InputError(fmt::format("{}: is empty", name));
   std::optional<PolygonSoup> soup = read_polygon_soup(vetted(std::move(bytes), format, name), format);
   if (!soup)  // what was vetted can be read: a fuzz target holds us to it
-    throw InputError(fmt::format("{}: the reader of {} refuses it; please report the file", name, plumbline::name(format)));
+    throw InputError(
+        fmt::format("{}: the reader of {} refuses it; please report the file", name, plumbline::name(format)));
   return welded(mesh_of(std::move(*soup), name));
 }
 

@@ -12,13 +12,22 @@ namespace {
 
 // The corners of three golden rectangles, and between them the faces, counter-clockwise seen from outside.
 const double golden = (1 + std::sqrt(5.0)) / 2;
-const std::array<Vec3, 12> corners = {{{-1, golden, 0}, {1, golden, 0}, {-1, -golden, 0}, {1, -golden, 0},
-                                       {0, -1, golden}, {0, 1, golden}, {0, -1, -golden}, {0, 1, -golden},
-                                       {golden, 0, -1}, {golden, 0, 1}, {-golden, 0, -1}, {-golden, 0, 1}}};
-constexpr std::array<Corners, 20> faces = {{{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11},
-                                            {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                                            {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9},
-                                            {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
+const std::array<Vec3, 12> corners = {{{-1, golden, 0},
+                                       {1, golden, 0},
+                                       {-1, -golden, 0},
+                                       {1, -golden, 0},
+                                       {0, -1, golden},
+                                       {0, 1, golden},
+                                       {0, -1, -golden},
+                                       {0, 1, -golden},
+                                       {golden, 0, -1},
+                                       {golden, 0, 1},
+                                       {-golden, 0, -1},
+                                       {-golden, 0, 1}}};
+constexpr std::array<Corners, 20> faces = {{{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                            {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                            {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                            {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}}};
 
 class Subdivision {
  public:
@@ -29,7 +38,7 @@ class Subdivision {
 
  private:
   // The points of a face lie in rows: row i has i + 1, from row 0, which is its first corner.
-  void divide(const auto& face) {
+  void divide(const Corners& face) {
     const auto [a, b, c] = face;
     const std::uint32_t ab = edge(a, b), bc = edge(b, c), ac = edge(a, c);
     const auto inner = static_cast<std::uint32_t>(mesh_.vertices.size());
@@ -54,7 +63,8 @@ class Subdivision {
       }
   }
 
-  // The first of the n - 1 points of an edge, which two faces have in common; they go from the lesser corner to the other.
+  // The first of the n - 1 points of an edge, which two faces have in common,
+  // from the lesser corner on.
   std::uint32_t edge(std::uint32_t a, std::uint32_t b) {
     const auto [from, to] = std::minmax(a, b);
     const auto [place, is_new] = edges_.try_emplace({from, to}, static_cast<std::uint32_t>(mesh_.vertices.size()));
@@ -63,7 +73,8 @@ class Subdivision {
     return place->second;
   }
 
-  static Vec3 between(std::uint32_t i, std::uint32_t a, std::uint32_t j, std::uint32_t b, std::uint32_t k, std::uint32_t c) {
+  static Vec3 between(std::uint32_t i, std::uint32_t a, std::uint32_t j, std::uint32_t b, std::uint32_t k,
+                      std::uint32_t c) {
     const Vec3 p = corners[a], q = corners[b], r = corners[c];
     return {i * p.x + j * q.x + k * r.x, i * p.y + j * q.y + k * r.y, i * p.z + j * q.z + k * r.z};
   }

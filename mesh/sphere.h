@@ -14,9 +14,9 @@ struct SphereOptions {
 };
 inline constexpr std::uint64_t most_sphere_triangles = 100'000'000;
 
-/// Each face of an icosahedron divided into n^2 triangles, pushed out onto the sphere. Every edge is of two triangles, all
-/// counter-clockwise seen from outside. The same options give the same bits on every machine: nothing but + - * / and
-/// square roots, which IEEE 754 rounds.
+/// Each face of an icosahedron divided into n^2 triangles, pushed out onto the sphere. Every edge is of two
+/// triangles, all counter-clockwise seen from outside. The same options give the same bits on every machine: nothing
+/// but + - * / and square roots, which IEEE 754 rounds.
 Mesh make_sphere(const SphereOptions& options);
 
 }  // namespace plumbline

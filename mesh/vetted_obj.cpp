@@ -11,12 +11,13 @@
 namespace plumbline {
 namespace {
 
-// Of OBJ's keywords those that make no face: normals, textures, points, lines, curves and surfaces, groups, materials.
-constexpr std::array<std::string_view, 46> left_out = {
-    "vt",   "vn",   "vp",     "p",       "l",        "g",        "s",          "mg",        "o",    "usemtl", "mtllib", "usemap",
-    "maplib", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "ctech", "stech", "curv", "curv2", "surf",
-    "parm", "trim", "hole",   "scrv",    "sp",       "end",      "con",        "deg",       "bmat", "step",   "cstype", "bsp",
-    "bzp",  "cdc",  "cdp",    "res",     "call",     "csh",      "param",      "ctype",     "scmp", "curve"};
+// Of OBJ's keywords those that make no face: normals, textures, points, lines, curves, surfaces, groups, materials.
+constexpr std::array<std::string_view, 42> left_out = {
+    "vt",     "vn",     "vp",     "deg",    "bmat",       "step",      "cstype",   "p",        "l",
+    "curv",   "curv2",  "surf",   "parm",   "trim",       "hole",      "scrv",     "sp",       "end",
+    "con",    "g",      "s",      "mg",     "o",          "bevel",     "c_interp", "d_interp", "lod",
+    "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj", "ctech",    "stech",    "bsp",
+    "bzp",    "cdc",    "cdp",    "res",    "call",       "csh"};
 
 class ObjVetter {
  public:
@@ -31,8 +32,8 @@ class ObjVetter {
     }
     if (!any_face_) throw InputError(fmt::format("{}: has no face", name_));
     if (highest_ > vertices_)
-      throw InputError(fmt::format("{}:{}: vertex {} of {}; the file has too few, is it cut off?", name_, highest_line_,
-                                   highest_, vertices_));
+      throw InputError(fmt::format("{}:{}: vertex {} of {}; the file has too few, is it cut off?", name_,
+                                   highest_line_, highest_, vertices_));
   }
 
  private:
@@ -42,7 +43,8 @@ class ObjVetter {
     const std::string_view line = std::string_view(bytes_).substr(begin, end - begin);
     const std::size_t comment = begin + std::min(line.find('#'), line.size());
     std::fill(of(comment), of(end), ' ');
-    std::replace_if(of(begin), of(comment), [](char c) { return mesh_blanks.find(c) != mesh_blanks.npos; }, ' ');
+    std::replace_if(
+        of(begin), of(comment), [](char c) { return mesh_blanks.find(c) != mesh_blanks.npos; }, ' ');
     split_words(line.substr(0, comment - begin), words_);
     if (words_.empty()) return;
     if (words_.back().ends_with('\\')) fail("a line that goes on in the next is not read; join the two");

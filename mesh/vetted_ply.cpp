@@ -16,9 +16,10 @@ namespace plumbline {
 namespace {
 
 [[noreturn]] void fail_short(const std::string& file, const PlyElement& element, std::uint64_t there) {
-  throw InputError(fmt::format("{}: the header promises {} items of {}, and the file ends in item {}; it is cut off, or the "
-                               "header is wrong",
-                               file, element.items, quoted(element.name), there));
+  throw InputError(
+      fmt::format("{}: the header promises {} items of {}, and the file ends in item {}; it is cut off, or the "
+                  "header is wrong",
+                  file, element.items, quoted(element.name), there));
 }
 
 // CGAL makes room for as many values as the count of a list says before it reads the first.
@@ -29,15 +30,16 @@ class BinaryBody {
 
   void vet() {
     for (const PlyElement& element : header_.elements) {
-      const bool lists = std::ranges::any_of(element.properties, [](const PlyProperty& p) { return p.count.has_value(); });
+      const bool lists =
+          std::ranges::any_of(element.properties, [](const PlyProperty& p) { return p.count.has_value(); });
       if (lists)
         skip_items(element);
       else
         skip_plain_items(element);
     }
     if (body_.find_first_not_of(" \t\r\n", at_) != body_.npos)
-      throw InputError(fmt::format("{}: {} bytes are left behind what the header promises; is a count too small?", file_,
-                                   body_.size() - at_));
+      throw InputError(fmt::format("{}: {} bytes are left behind what the header promises; is a count too small?",
+                                   file_, body_.size() - at_));
   }
 
  private:
@@ -73,7 +75,8 @@ class BinaryBody {
     }
     const bool is_signed = type == PlyType::int8 || type == PlyType::int16 || type == PlyType::int32;
     if (is_signed && bits >> (8 * size - 1) != 0)
-      throw InputError(fmt::format("{}: a list of item {} of {} has a negative count", file_, item, quoted(element.name)));
+      throw InputError(
+          fmt::format("{}: a list of item {} of {} has a negative count", file_, item, quoted(element.name)));
     return bits;
   }
 
@@ -127,7 +130,8 @@ class AsciiBody {
   std::uint64_t count(PlyType type, const PlyElement& element, std::uint64_t item) {
     const std::string_view text = word(element, item);
     const auto value = integer(text);
-    const int bits = static_cast<int>(8 * size_of(type)) - (type == PlyType::int8 || type == PlyType::int16 || type == PlyType::int32);
+    const int bits = static_cast<int>(8 * size_of(type)) -
+                     (type == PlyType::int8 || type == PlyType::int16 || type == PlyType::int32);
     if (!value || *value < 0 || *value >> bits != 0) fail(fmt::format("{} is no count of a list", quoted(text)));
     if (static_cast<std::uint64_t>(*value) > bytes_.size() - at_) fail_short(file_, element, item);
     return static_cast<std::uint64_t>(*value);

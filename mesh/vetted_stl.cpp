@@ -99,7 +99,8 @@ class AsciiVetter {
   // A name may have words that CGAL would take for the file's.
   void blank_rest(std::size_t end) {
     const auto used = static_cast<std::size_t>(words_.front().data() + words_.front().size() - bytes_.data());
-    std::fill(bytes_.begin() + static_cast<std::ptrdiff_t>(used), bytes_.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+    std::fill(bytes_.begin() + static_cast<std::ptrdiff_t>(used), bytes_.begin() + static_cast<std::ptrdiff_t>(end),
+              ' ');
   }
 
   [[noreturn]] void fail(std::string_view what) const {
@@ -129,9 +130,10 @@ std::string vetted_stl(std::string bytes, const std::string& name) {
     return bytes;
   }
   if (!has_count)
-    throw InputError(fmt::format("{}: is no STL: no text that begins with 'solid', and too short for a binary one", name));
-  throw InputError(fmt::format("{}: {} facets take {} bytes, the file has {}; it is cut off, or no STL", name, promised,
-                               facets_at + promised * facet_size, bytes.size()));
+    throw InputError(
+        fmt::format("{}: is no STL: no text that begins with 'solid', and too short for a binary one", name));
+  throw InputError(fmt::format("{}: {} facets take {} bytes, the file has {}; it is cut off, or no STL", name,
+                               promised, facets_at + promised * facet_size, bytes.size()));
 }
 
 }  // namespace plumbline

@@ -55,7 +55,8 @@ void write_obj(const Mesh& mesh, const std::function<void(std::string_view)>& wr
     write_full_parts();
   }
   for (const auto [a, b, c] : mesh.triangles) {
-    fmt::format_to(std::back_inserter(out), "f {} {} {}\n", std::uint64_t{a} + 1, std::uint64_t{b} + 1, std::uint64_t{c} + 1);
+    fmt::format_to(std::back_inserter(out), "f {} {} {}\n", std::uint64_t{a} + 1, std::uint64_t{b} + 1,
+                   std::uint64_t{c} + 1);
     write_full_parts();
   }
   write(out);
@@ -65,9 +66,12 @@ void write_obj(const Mesh& mesh, const std::function<void(std::string_view)>& wr
 
 void write_mesh(const Mesh& mesh, MeshFormat format, const std::function<void(std::string_view)>& write) {
   switch (format) {
-    case MeshFormat::ply: return write_ply(mesh, write);
-    case MeshFormat::obj: return write_obj(mesh, write);
-    case MeshFormat::stl: throw InputError("an STL holds floats only and is not written; name the file .ply or .obj");
+    case MeshFormat::ply:
+      return write_ply(mesh, write);
+    case MeshFormat::obj:
+      return write_obj(mesh, write);
+    case MeshFormat::stl:
+      throw InputError("an STL holds floats only and is not written; name the file .ply or .obj");
   }
 }
 

@@ -6,6 +6,7 @@
 #include "oracle/exact_case.h"
 #include "oracle/invalid.h"
 #include "oracle/largest.h"
+#include "oracle/program_point.h"
 #include "oracle/round.h"
 
 namespace plumbline {
@@ -29,18 +30,6 @@ void tell(const Quotient& x, double said, Precision precision, double& ulps, dou
   const Dyadic error = abs(Dyadic(said) * x.denominator - x.numerator);
   off = rounded<double>({error, x.denominator});
   ulps = rounded<double>({error, x.denominator * Dyadic(1, unit)});
-}
-
-template <class Real>
-double advanced(double origin, double direction, double t) {
-  return static_cast<Real>(origin) + static_cast<Real>(t) * static_cast<Real>(direction);
-}
-
-// As a program of that precision has it; this file is compiled without contraction.
-Vec3 point_at(const Ray& ray, double t, Precision precision) {
-  const auto at = precision == Precision::binary32 ? advanced<float> : advanced<double>;
-  const Vec3 &o = ray.origin, &d = ray.direction;
-  return {at(o.x, d.x, t), at(o.y, d.y, t), at(o.z, d.z, t)};
 }
 
 }  // namespace

@@ -120,7 +120,8 @@ struct Model {
   bool shootable = false;
 };
 
-// False if BRL-CAD refuses. It reports success even where it dropped the only face: whoever shoots has to look at
+// False if BRL-CAD refuses, or would die of a ray: what is left of more than 32 faces fits in one piece, and for that
+// it makes no state. It reports success even where it dropped the only face: whoever shoots has to look at
 // Model::shootable.
 bool build(const Bag& bag, Model& model) {
   model.database = db_open_inmem();
@@ -131,7 +132,12 @@ bool build(const Bag& bag, Model& model) {
   rt_init_resource(model.memory, 0, model.instance);
   if (rt_gettree(model.instance, object_name) < 0 && model.instance->nsolids > 0) return false;
   rt_prep(model.instance);
-  for (std::size_t i = 0; i < RT_DBNHASH; ++i) model.shootable |= BU_LIST_NON_EMPTY(&model.instance->rti_solidheads[i]);
+  soltab* solid = nullptr;
+  for (bu_list& head : model.instance->rti_solidheads)
+    for (BU_LIST_FOR(solid, soltab, &head)) {
+      if (solid->st_npieces == 1) return false;
+      model.shootable = true;
+    }
   return true;
 }
 
@@ -144,22 +150,13 @@ void free_model(const Model& model) {
   if (model.database) wdb_close(model.database->dbi_wdbp);
 }
 
-struct Shot {
-  application ap;
-  Answer answer;
-  bool thin;  // in is the hit itself
-};
-
-int keep_first(application* ap, partition* head, seg*) {
-  const partition* first = head->pt_forw;
-  auto& shot = *static_cast<Shot*>(ap->a_uptr);
-  shot.answer = {.outcome = Outcome::hit,
-                 .has_t = shot.thin,
-                 .has_segment = true,
-                 .triangle = static_cast<std::uint32_t>(first->pt_inhit->hit_surfno),
-                 .in = first->pt_inhit->hit_dist,
-                 .out = first->pt_outhit->hit_dist};
-  if (shot.thin) shot.answer.t = shot.answer.in;
+int keep_partitions(application* ap, partition* head, seg*) {
+  auto& passages = *static_cast<std::vector<Passage>*>(ap->a_uptr);
+  for (const partition* p = head->pt_forw; p != head; p = p->pt_forw)
+    passages.push_back({.in = p->pt_inhit->hit_dist,
+                        .out = p->pt_outhit->hit_dist,
+                        .triangle_in = static_cast<std::uint32_t>(p->pt_inhit->hit_surfno),
+                        .triangle_out = static_cast<std::uint32_t>(p->pt_outhit->hit_surfno)});
   return 1;
 }
 
@@ -180,6 +177,16 @@ class PreparedModel final : public PreparedBag {
     if (turn.possible()) turn.run([&] { free_model(model_); });  // after a bomb it is leaked
   }
 
+  bool passages(const Ray& ray, std::vector<Passage>& passages) override {
+    Turn turn;
+    const bool answered = shoot(turn, ray).outcome != Outcome::fault;
+    if (answered)
+      passages = passages_;
+    else
+      passages.clear();
+    return answered;
+  }
+
   PreparedModel(const PreparedModel&) = delete;
   PreparedModel& operator=(const PreparedModel&) = delete;
 
@@ -190,29 +197,37 @@ class PreparedModel final : public PreparedBag {
   }
 
   Answer shoot(Turn& turn, const Ray& ray) {
+    passages_.clear();
     if (!possible_ || !turn.possible() || !finite(ray.origin) || !finite(ray.direction))
       return {.outcome = Outcome::fault};
     if (!model_.shootable) return {};
-    Shot& shot = shot_;
-    shot.answer = {};
-    shot.thin = thin_;
-    RT_APPLICATION_INIT(&shot.ap);
-    shot.ap.a_rt_i = model_.instance;
-    shot.ap.a_resource = model_.memory;
-    shot.ap.a_hit = keep_first;
-    shot.ap.a_miss = keep_nothing;
-    shot.ap.a_onehit = 0;
-    shot.ap.a_uptr = &shot;
-    VSET(shot.ap.a_ray.r_pt, ray.origin.x, ray.origin.y, ray.origin.z);
-    VSET(shot.ap.a_ray.r_dir, ray.direction.x, ray.direction.y, ray.direction.z);
-    if (!turn.run([&] { rt_shootray(&shot.ap); })) return {.outcome = Outcome::fault};
-    return shot.answer;
+    RT_APPLICATION_INIT(&shot_);
+    shot_.a_rt_i = model_.instance;
+    shot_.a_resource = model_.memory;
+    shot_.a_hit = keep_partitions;
+    shot_.a_miss = keep_nothing;
+    shot_.a_onehit = 0;
+    shot_.a_uptr = &passages_;
+    VSET(shot_.a_ray.r_pt, ray.origin.x, ray.origin.y, ray.origin.z);
+    VSET(shot_.a_ray.r_dir, ray.direction.x, ray.direction.y, ray.direction.z);
+    if (!turn.run([&] { rt_shootray(&shot_); })) return {.outcome = Outcome::fault};
+    if (passages_.empty()) return {};
+    const Passage& first = passages_.front();
+    Answer answer{.outcome = Outcome::hit,
+                  .has_t = thin_,
+                  .has_segment = true,
+                  .triangle = first.triangle_in,
+                  .in = first.in,
+                  .out = first.out};
+    if (thin_) answer.t = first.in;
+    return answer;
   }
 
   Model model_;
-  Shot shot_{};  // not a local variable: a jump would leave it indeterminate
+  application shot_{};  // not a local variable: a jump would leave it indeterminate
+  std::vector<Passage> passages_;
   bool possible_;
-  bool thin_;
+  bool thin_;  // in is the hit itself
 };
 
 class BrlcadTracer final : public Tracer {
@@ -223,7 +238,8 @@ class BrlcadTracer final : public Tracer {
                 .source = "rt_shootray",
                 .package = "BRL-CAD " PLUMBLINE_BRLCAD_VERSION,
                 .contract = {.range = RangeRule::ray, .t_min = EndRule::unspecified},
-                .has_tree = true}) {}
+                .has_tree = true,
+                .isolation = Isolation::process}) {}
 
   std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override { return std::make_unique<PreparedModel>(bag); }
 };

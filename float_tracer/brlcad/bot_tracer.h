@@ -1,62 +1,65 @@
-// What the BRL-CAD tracers share: one face per bag, two ways to shoot at it, and the answer.
+// What the BRL-CAD tracers share: the limits, and the answer.
 //
 // A rule of BRL-CAD is a type with
-//   info()                    the TracerInfo;
-//   shoot(solid, o, d, why)   std::optional<Segment>, empty for a miss: then `why` is told by which test.
-// Limits, Outcome::fault beyond them: a bag has exactly one triangle (what several do to each other is not modelled),
-// every coordinate and the thickness is finite, and so is every side of the triangle's box (BRL-CAD takes an object for
-// infinite where that overflows, and walks otherwise). t_min and t_max are not read. BRL-CAD reports where a ray enters
-// and leaves: in and out. A surface's or solid's t is in (= out); the hit between a plate's in and out is not reported,
-// so a plate has no t. It reports no barycentrics.
+//   info()                the TracerInfo;
+//   Rule(bag)             prepared to be shot at; the bag has a triangle, and only finite numbers;
+//   possible()            whether librt itself could be;
+//   empty()               whether every face was dropped, so that every ray misses;
+//   shoot(o, d, pieces, why)  fills in the pieces of the ray inside the object, none for a miss: then `why` is told by
+//                         which test, of a bag of one triangle. False: librt would never answer.
+// Limits, Outcome::fault beyond them: every coordinate and the thickness is finite, and so is every side of the
+// object's box (BRL-CAD takes an object for infinite where that overflows, and walks otherwise). t_min and t_max are
+// not read. BRL-CAD reports where a ray enters and leaves: in and out, here those of the first piece; `passages` has
+// them all. A surface's or solid's t is in; the hit between a plate's in and out is not reported, so a plate has no t.
+// It reports no barycentrics.
 #pragma once
 #include <algorithm>
-#include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "case/float_bits.h"
-#include "float_tracer/brlcad/segment.h"
-#include "float_tracer/brlcad/walk.h"
+#include "float_tracer/brlcad/solid.h"
 #include "float_tracer/tracer.h"
 
 namespace plumbline::brlcad {
 
 inline bool finite(const Vec3& v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.z); }
 
-inline bool within_limits(const Bag& bag) {
-  if (bag.triangles.size() != 1 || !is_finite(bag.thickness)) return false;
-  const auto& [a, b, c] = bag.triangles.front();
-  const auto side = [](double x, double y, double z) { return std::max({x, y, z}) - std::min({x, y, z}); };
-  return finite(a) && finite(b) && finite(c) && finite({side(a.x, b.x, c.x), side(a.y, b.y, c.y), side(a.z, b.z, c.z)});
+inline bool finite_sides(const Box& box) {
+  return is_finite(box.high[0] - box.low[0]) && is_finite(box.high[1] - box.low[1]) &&
+         is_finite(box.high[2] - box.low[2]);
 }
 
-/// Shoots through the walk: `test(solid, entry)` gives the parameter of the hit as seen from the moved origin, if any,
-/// and tells `why`.
-template <class Why, class Test>
-std::optional<Segment> shoot_model(const Solid& solid, const Vector& origin, const Vector& direction, Why why,
-                                   Test test) {
-  const std::optional<Entry> entry = enter(solid.model_box, origin, direction, why);
-  if (!entry) return std::nullopt;
-  const std::optional<double> t = test(solid, *entry);
-  if (!t) return std::nullopt;
-  const std::optional<Segment> segment = segment_at(solid, entry->direction, *t);
-  if (!segment) return missed_by(Rejection::segment, why);
-  const std::optional<Segment> woven = weave({segment->in + entry->moved, segment->out + entry->moved});
-  if (!woven) missed_by(Rejection::t, why);
-  return woven;
+inline bool finite(const Bag& bag) {
+  return is_finite(bag.thickness) && std::ranges::all_of(bag.triangles, [](const Triangle& t) {
+           return finite(t.a) && finite(t.b) && finite(t.c);
+         });
 }
 
 template <class Rule>
 class PreparedBot final : public PreparedBag {
  public:
-  explicit PreparedBot(const Bag& bag) : possible_(within_limits(bag)) {
-    if (possible_) solid_ = prepare_solid(bag);
+  explicit PreparedBot(const Bag& bag)
+      : possible_(finite(bag)), one_(bag.triangles.size() == 1), thin_(bag.mode != BagMode::plate) {
+    if (!possible_ || bag.triangles.empty()) return;
+    rule_.emplace(bag);
+    possible_ = rule_->possible();
   }
 
   Rejection rejection(const Ray& ray) override {
     Rejection why = Rejection::none;
-    shoot(ray, &why);
+    if (one_) shoot(ray, &why);
     return why;
+  }
+
+  bool passages(const Ray& ray, std::vector<Passage>& passages) override {
+    const bool answered = shoot(ray).outcome != Outcome::fault;
+    if (answered)
+      passages = pieces_;
+    else
+      passages.clear();
+    return answered;
   }
 
  private:
@@ -65,24 +68,30 @@ class PreparedBot final : public PreparedBag {
   }
 
   template <class Why = Unasked>
-  Answer shoot(const Ray& ray, Why why = {}) const {
+  Answer shoot(const Ray& ray, Why why = {}) {
+    pieces_.clear();
     if (!possible_ || !finite(ray.origin) || !finite(ray.direction)) return {.outcome = Outcome::fault};
-    if (!solid_) {
+    if (!rule_ || rule_->empty()) {
       missed_by(Rejection::face, why);
       return {};
     }
-    const auto segment = Rule::shoot(*solid_, to_vec<double>(ray.origin), to_vec<double>(ray.direction), why);
-    if (!segment) return {};
-    Answer answer{.outcome = Outcome::hit, .has_segment = true, .in = segment->in, .out = segment->out};
-    if (solid_->mode != BagMode::plate) {
-      answer.has_t = true;
-      answer.t = segment->in;
-    }
+    if (!rule_->shoot(to_vec<double>(ray.origin), to_vec<double>(ray.direction), pieces_, why))
+      return {.outcome = Outcome::fault};
+    if (pieces_.empty()) return {};
+    const Passage& first = pieces_.front();
+    Answer answer{.outcome = Outcome::hit,
+                  .has_t = thin_,
+                  .has_segment = true,
+                  .triangle = first.triangle_in,
+                  .in = first.in,
+                  .out = first.out};
+    if (thin_) answer.t = first.in;
     return answer;
   }
 
-  bool possible_;
-  std::optional<Solid> solid_;  // empty: the face was dropped, and every ray misses
+  bool possible_, one_, thin_;
+  std::optional<Rule> rule_;     // none of a bag without triangles
+  std::vector<Passage> pieces_;  // of the ray that was shot last
 };
 
 template <class Rule>

@@ -60,7 +60,8 @@ class Judge {
     if (answer.outcome == Outcome::hit) return answer.has_t ? nearest_hit(answer.triangle) : some_hit();
     const auto it = std::ranges::find(must_, true);
     if (it != must_.end()) return missed(groups_[static_cast<std::size_t>(it - must_.begin())]);
-    return {std::ranges::any_of(q_.truth.stretches, [&](const Stretch& s) { return must(s); }) ? BagVerdict::leak : quiet()};
+    return {std::ranges::any_of(q_.truth.stretches, [&](const Stretch& s) { return must(s); }) ? BagVerdict::leak
+                                                                                               : quiet()};
   }
 
   BagJudgement hits(std::span<const Answer> hits) const {
@@ -76,8 +77,9 @@ class Judge {
     bool leaks = false, shares = false;
     for (std::size_t i = 0; i < groups_.size(); ++i) {
       if (!must_[i]) continue;
-      const auto count = std::ranges::count_if(
-          groups_[i], [&](const BagHit& met) { return std::ranges::count(hits, met.triangle, &Answer::triangle) != 0; });
+      const auto count = std::ranges::count_if(groups_[i], [&](const BagHit& met) {
+        return std::ranges::count(hits, met.triangle, &Answer::triangle) != 0;
+      });
       shares = shares || (count > 1 && has_one_owner(groups_[i]));
       if (count != 0) continue;
       leaks = true;
@@ -89,7 +91,7 @@ class Judge {
       take_worse(lost, {BagVerdict::leak});
     }
     if (false_hits > 0) {
-      worst_false.verdict = leaks                        ? BagVerdict::wrong_nearest
+      worst_false.verdict = leaks                      ? BagVerdict::wrong_nearest
                             : hits.size() > false_hits ? BagVerdict::double_hit
                                                        : BagVerdict::false_hit;
       return worst_false;
@@ -160,8 +162,8 @@ class Judge {
   static bool within(const BagHit& hit) { return hit.truth.versus_t_min > 0 && hit.truth.versus_t_max < 0; }
 
   // Whether triangles share this point all around and the ray goes through them once: each edge at the point has a
-  // triangle on either side, and all of them are met from one side. Then turning the ray aside a little, wherever to, makes
-  // it cross as many as own the hit.
+  // triangle on either side, and all of them are met from one side. Then turning the ray aside a little, wherever to,
+  // makes it cross as many as own the hit.
   bool has_one_owner(const Group& group) const {
     if (q_.contract.edges != EdgeRule::one_owner || q_.truth.on_surface) return false;
     std::vector<Edge> edges;
@@ -233,7 +235,8 @@ class Judge {
     BagJudgement least{BagVerdict::false_hit, infinity, infinity};
     for (std::uint32_t i = 0; i < q_.triangles.size(); ++i) {
       const VerdictKind here = claim(i);
-      if (here != VerdictKind::false_hit) return {here == VerdictKind::correct ? BagVerdict::correct : BagVerdict::unspecified};
+      if (here != VerdictKind::false_hit)
+        return {here == VerdictKind::correct ? BagVerdict::correct : BagVerdict::unspecified};
       const BagJudgement wrong = one_wrong(i, true);
       if (wrong.length < least.length) least = wrong;
     }
@@ -260,13 +263,14 @@ class Judge {
     const Triangle &p = q_.triangles[first], &q = q_.triangles[second];
     const Quotient s = ExactCase(p, q_.query).t(), t = ExactCase(q, q_.query).t();
     const double largest = largest_magnitude(q_.query.ray.origin, p.a, p.b, p.c, q.a, q.b, q.c);
-    return stretch({t.numerator * s.denominator - s.numerator * t.denominator, s.denominator * t.denominator}, largest,
-                   BagVerdict::wrong_order);
+    return stretch({t.numerator * s.denominator - s.numerator * t.denominator, s.denominator * t.denominator},
+                   largest, BagVerdict::wrong_order);
   }
 
   BagJudgement stretch(const Quotient& t, double largest, BagVerdict verdict) const {
     const exact::Vec d = exact::to_exact(q_.query.ray.direction) + exact::to_exact(q_.query.direction_tail);
-    const Dyadic length2 = square(t.numerator) * square(d), ulp2(1, 2 * ulp_exponent_at(largest, q_.contract.precision));
+    const Dyadic length2 = square(t.numerator) * square(d),
+                 ulp2(1, 2 * ulp_exponent_at(largest, q_.contract.precision));
     return {verdict, exact::rounded_sqrt<double>({length2, square(t.denominator)}),
             exact::rounded_sqrt<double>({length2, square(t.denominator) * ulp2})};
   }
@@ -355,7 +359,8 @@ BagJudgement judge_segments(const BagQuestion& question, std::span<const RaySegm
   return worst;
 }
 
-bool lost_by_culling(BagVerdict verdict, const BagTruth& truth, const Answer& answer, std::span<const Answer> hits_alone) {
+bool lost_by_culling(BagVerdict verdict, const BagTruth& truth, const Answer& answer,
+                     std::span<const Answer> hits_alone) {
   const DefaultControls controls;
   const bool leak = verdict == BagVerdict::leak;
   if (!leak && verdict != BagVerdict::wrong_nearest) return false;

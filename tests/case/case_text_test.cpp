@@ -180,5 +180,12 @@ TEST(CaseText, ErrorsNameThePlaceAndTheFix) {
               HasSubstr("/no/such/file.case: cannot be opened: No such file or directory"));
 }
 
+// A file of somebody else's writes nothing to the terminal but its words.
+TEST(CaseText, ErrorsEscapeWhatTheyQuote) {
+  const std::string error = error_in("case x\n\x1b[2Jray\xff 1\n");
+  EXPECT_THAT(error, HasSubstr("\\x1b[2Jray\\xff"));
+  EXPECT_EQ(error.find_first_of("\x1b\xff\n"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace plumbline

@@ -2,17 +2,13 @@
 #pragma once
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "case/case.h"
 
 namespace plumbline {
 
-/// Around one triangle: every mode, with and without orientation, and every kind of plate.
-std::vector<Bag> brlcad_bags(const Triangle& triangle);
-
-/// A difference is a GoogleTest failure that shows bag, ray and answers as hexfloats. A fault of brlcad_bot_classic is
-/// none: the bag is beyond what it models.
+/// A difference in any partition is a GoogleTest failure that shows bag, ray and answers as hexfloats. Where
+/// brlcad_bot_classic has no answer, the bag or ray is beyond what it models, and the real one isn't asked.
 class BrlcadAgreement {
  public:
   void compare(const Bag& bag, std::span<const Ray> rays);
@@ -24,14 +20,17 @@ class BrlcadAgreement {
   /// interior, edges and vertices, and an ulp beside them: along its normal, an axis, nearly in its plane, or anywhere;
   /// of unit length or not; from before, within and behind.
   void compare_aimed(std::uint64_t seed, std::uint64_t count);
+  /// `count` bags of several faces, each with 20 rays; the kinds of mesh and of bag change with each.
+  void compare_meshes(std::uint64_t seed, std::uint64_t count);
 
-  std::uint64_t rays() const { return rays_; }      ///< that the real library answered
-  std::uint64_t hits() const { return hits_; }      ///< of the real library
-  std::uint64_t beyond() const { return beyond_; }  ///< that brlcad_bot_classic doesn't model
+  std::uint64_t rays() const { return rays_; }
+  std::uint64_t hits() const { return hits_; }              ///< of the real library
+  std::uint64_t partitions() const { return partitions_; }  ///< of the real library
+  std::uint64_t beyond() const { return beyond_; }          ///< rays that brlcad_bot_classic doesn't model
   std::uint64_t differences() const { return differences_; }
 
  private:
-  std::uint64_t rays_ = 0, hits_ = 0, beyond_ = 0, differences_ = 0;
+  std::uint64_t rays_ = 0, hits_ = 0, partitions_ = 0, beyond_ = 0, differences_ = 0;
 };
 
 }  // namespace plumbline

@@ -56,6 +56,14 @@ TEST(BrlcadLibrt, EqualsClassic) {
   EXPECT_EQ(agreement.differences(), 0u) << "PLUMBLINE_SEED=" << judges::seed();
 }
 
+TEST(BrlcadLibrt, EqualsClassicOnMeshes) {
+  BrlcadAgreement agreement;
+  agreement.compare_meshes(judges::seed(), 1000);
+  EXPECT_GT(agreement.partitions(), 10000u);
+  EXPECT_LT(agreement.beyond(), 2000u);
+  EXPECT_EQ(agreement.differences(), 0u) << "PLUMBLINE_SEED=" << judges::seed();
+}
+
 TEST(BrlcadLibrt, NamesTheFaceThatIsHitFirst) {
   const Bag bag{.triangles = {moved(flat, -4), moved(flat, -2), flat}};
   const Answer answer = shoot(librt, bag, down);

@@ -86,7 +86,8 @@ TEST(MeshReport, PiecesAndIsolatedVertices) {
 // Collinear in doubles is not what decides: the point 0.1, 0.2, 0.3 of a line through 0 and 1, 2, 3 is off it.
 TEST(MeshReport, DegenerateIsDecidedExactly) {
   const double ulp = 0x1p-52;
-  const std::vector<Vec3> vertices = {{0, 0, 0}, {1, 1, 1}, {0.5, 0.5, 0.5}, {0.5, 0.5, 0.5 + ulp / 2}, {0.1, 0.2, 0.3}, {1, 2, 3}};
+  const std::vector<Vec3> vertices = {{0, 0, 0},       {1, 1, 1}, {0.5, 0.5, 0.5}, {0.5, 0.5, 0.5 + ulp / 2},
+                                      {0.1, 0.2, 0.3}, {1, 2, 3}};
   const MeshReport found = report(mesh_of(vertices, {{0, 1, 3}, {0, 1, 2}, {0, 4, 5}, {2, 2, 2}}));
   EXPECT_EQ(found.degenerate, (Flaw{2, 1}));
   EXPECT_EQ(found.altitude->triangle, 2u);
@@ -103,14 +104,17 @@ TEST(MeshReport, AllDegenerateHasNoLeastLengths) {
 
 // Whichever axis the plane holds, the triangle has area.
 TEST(MeshReport, PlanesThroughTheAxes) {
-  const std::vector<Vec3> vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, -1, 0}, {-1, 0, -1}, {0, -1, -1}};
-  const MeshReport found = report(mesh_of(vertices, {{4, 1, 2}, {5, 1, 3}, {6, 2, 3}, {0, 1, 2}, {0, 2, 3}, {0, 1, 3}}));
+  const std::vector<Vec3> vertices = {{0, 0, 0},   {1, 0, 0},   {0, 1, 0},  {0, 0, 1},
+                                      {-1, -1, 0}, {-1, 0, -1}, {0, -1, -1}};
+  const MeshReport found =
+      report(mesh_of(vertices, {{4, 1, 2}, {5, 1, 3}, {6, 2, 3}, {0, 1, 2}, {0, 2, 3}, {0, 1, 3}}));
   EXPECT_EQ(found.degenerate.count, 0u);
 }
 
 TEST(MeshReport, FeaturesInUlpsOfTheLargestCoordinate) {
   // binary32, the largest is 2^20: an ulp is 2^-3. The short edge is 1/4 long.
-  const MeshReport narrow = report(mesh_of({{0x1p20, 0, 0}, {0, 0, 0}, {0, 0.25, 0}, {0, 9, 9}}, {{1, 3, 0}, {0, 1, 2}}));
+  const MeshReport narrow =
+      report(mesh_of({{0x1p20, 0, 0}, {0, 0, 0}, {0, 0.25, 0}, {0, 9, 9}}, {{1, 3, 0}, {0, 1, 2}}));
   EXPECT_EQ(narrow.precision, Precision::binary32);
   EXPECT_EQ(*narrow.edge, (LeastLength{2, 1}));
   EXPECT_NEAR(narrow.altitude->ulps, 2, 1e-9);

@@ -20,9 +20,15 @@ Mesh parse(const std::string& bytes, MeshFormat format) { return parse_mesh(byte
 Mesh obj(const std::string& bytes) { return parse(bytes, MeshFormat::obj); }
 Mesh ply(const std::string& bytes) { return parse(bytes, MeshFormat::ply); }
 Mesh stl(const std::string& bytes) { return parse(bytes, MeshFormat::stl); }
-std::string obj_error(const std::string& bytes) { return error_of([&] { obj(bytes); }); }
-std::string ply_error(const std::string& bytes) { return error_of([&] { ply(bytes); }); }
-std::string stl_error(const std::string& bytes) { return error_of([&] { stl(bytes); }); }
+std::string obj_error(const std::string& bytes) {
+  return error_of([&] { obj(bytes); });
+}
+std::string ply_error(const std::string& bytes) {
+  return error_of([&] { ply(bytes); });
+}
+std::string stl_error(const std::string& bytes) {
+  return error_of([&] { stl(bytes); });
+}
 
 template <class Value>
 std::string bytes_of(Value value, std::endian order = std::endian::little) {
@@ -33,9 +39,11 @@ std::string bytes_of(Value value, std::endian order = std::endian::little) {
 
 // ---- bits ----
 
-const std::vector<double> hard = {0x1.999999999999ap-4, 0x1.fffffffffffffp+1023, 0x0.0000000000001p-1022,
-                                  0x1.0000000000001p+0, -0x1.23456789abcdep-300, 0x1p-1022,
-                                  0x1.5555555555555p-2, -0.0,                    0x1.921fb54442d18p+1};
+const std::vector<double> hard = {0x1.999999999999ap-4,    0x1.fffffffffffffp+1023,
+                                  0x0.0000000000001p-1022, 0x1.0000000000001p+0,
+                                  -0x1.23456789abcdep-300, 0x1p-1022,
+                                  0x1.5555555555555p-2,    -0.0,
+                                  0x1.921fb54442d18p+1};
 
 TEST(ReadMesh, DecimalsAreRoundedToTheNearestDouble) {
   const Mesh mesh = obj("v 0.1 1.7976931348623157e308 5e-324\nv 1.0000000000000002 +2 1e-400\nv .5 1. -0\nf 1 2 3\n");
@@ -45,8 +53,9 @@ TEST(ReadMesh, DecimalsAreRoundedToTheNearestDouble) {
   EXPECT_TRUE(is_negative(mesh.vertices[2].z));
   EXPECT_EQ(mesh.precision, Precision::binary64);
   // Half way between 1 and the next, and a digit beyond: ties to even, and up.
-  const Mesh ties = obj("v 1.00000000000000011102230246251565404236316680908203125 0 0\n"
-                        "v 1.00000000000000011102230246251565404236316680908203126 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Mesh ties =
+      obj("v 1.00000000000000011102230246251565404236316680908203125 0 0\n"
+          "v 1.00000000000000011102230246251565404236316680908203126 0 0\nv 0 1 0\nf 1 2 3\n");
   EXPECT_EQ(ties.vertices[0].x, 1);
   EXPECT_EQ(ties.vertices[1].x, 0x1.0000000000001p+0);
 }
@@ -67,9 +76,11 @@ TEST(ReadMesh, FloatsOfAnAsciiPlyAreRoundedOnce) {
 
 std::string binary_ply(std::endian order, std::string_view type, const auto& values) {
   std::string bytes = fmt::format(
-      "ply\r\nformat binary_{}_endian 1.0\r\ncomment end_header\r\nelement vertex 3\r\nproperty uchar red\r\nproperty {} x\r\n"
+      "ply\r\nformat binary_{}_endian 1.0\r\ncomment end_header\r\nelement vertex 3\r\nproperty uchar "
+      "red\r\nproperty {} x\r\n"
       "property {} y\r\nproperty {} z\r\nproperty list int short list_of_mine\r\nelement face 1\r\n"
-      "property list ushort uint vertex_index\r\nproperty float quality\r\nelement other 2\r\nproperty double what\r\n"
+      "property list ushort uint vertex_index\r\nproperty float quality\r\nelement other 2\r\nproperty double "
+      "what\r\n"
       "end_header\r\n",
       order == std::endian::little ? "little" : "big", type, type, type);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -84,7 +95,8 @@ std::string binary_ply(std::endian order, std::string_view type, const auto& val
 
 TEST(ReadMesh, BinaryPliesBitForBit) {
   std::vector<float> floats;
-  for (const double x : hard) floats.push_back(is_finite(static_cast<float>(x)) ? static_cast<float>(x) : 0x1.fffffep+127f);
+  for (const double x : hard)
+    floats.push_back(is_finite(static_cast<float>(x)) ? static_cast<float>(x) : 0x1.fffffep+127f);
   for (const std::endian order : {std::endian::little, std::endian::big}) {
     const Mesh wide = ply(binary_ply(order, "double", hard));
     const Mesh narrow = ply(binary_ply(order, "float32", floats));
@@ -101,7 +113,8 @@ TEST(ReadMesh, BinaryPliesBitForBit) {
   }
 }
 
-std::string binary_stl(std::uint32_t promised, std::vector<std::array<float, 9>> facets, std::string header = "solid of facet") {
+std::string binary_stl(std::uint32_t promised, std::vector<std::array<float, 9>> facets,
+                       std::string header = "solid of facet") {
   header.resize(80, ' ');
   std::string bytes = header + bytes_of(promised);
   for (const auto& facet : facets) {
@@ -114,17 +127,21 @@ std::string binary_stl(std::uint32_t promised, std::vector<std::array<float, 9>>
 
 TEST(ReadMesh, BinaryStlBitForBitAndWelded) {
   const float least = 0x1p-149f, most = 0x1.fffffep+127f;
-  const Mesh mesh = stl(binary_stl(2, {{0, least, 0, most, 0, 0, 0, 0, 0.1f}, {most, -0.f, 0, -0.f, least, 0, 1, 1, 1}}));
-  EXPECT_THAT(mesh.vertices, ElementsAre(Vec3{0, 0x1p-149, 0}, Vec3{0x1.fffffep+127, 0, 0}, Vec3{0, 0, 0x1.99999ap-4}, Vec3{1, 1, 1}));
+  const Mesh mesh =
+      stl(binary_stl(2, {{0, least, 0, most, 0, 0, 0, 0, 0.1f}, {most, -0.f, 0, -0.f, least, 0, 1, 1, 1}}));
+  EXPECT_THAT(mesh.vertices, ElementsAre(Vec3{0, 0x1p-149, 0}, Vec3{0x1.fffffep+127, 0, 0}, Vec3{0, 0, 0x1.99999ap-4},
+                                         Vec3{1, 1, 1}));
   EXPECT_THAT(mesh.triangles, ElementsAre(Corners{0, 1, 2}, Corners{1, 0, 3}));
   EXPECT_EQ(mesh.precision, Precision::binary32);
 }
 
 const std::string ascii_facet =
-    "  facet normal 0 0 nan\n    outer loop\n      vertex 0 0 0\n\t  vertex 1e0 0 -0\r\n      vertex 0 0.1 0\n    endloop\n  endfacet\n";
+    "  facet normal 0 0 nan\n    outer loop\n      vertex 0 0 0\n\t  vertex 1e0 0 -0\r\n      vertex 0 0.1 0\n    "
+    "endloop\n  endfacet\n";
 
 TEST(ReadMesh, AsciiStl) {
-  const Mesh mesh = stl("\n solid facet vertex of solid\n" + ascii_facet + "endsolid facet\nsolid\tb\n" + ascii_facet + "endsolid");
+  const Mesh mesh =
+      stl("\n solid facet vertex of solid\n" + ascii_facet + "endsolid facet\nsolid\tb\n" + ascii_facet + "endsolid");
   EXPECT_THAT(mesh.vertices, ElementsAre(Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 0x1.999999999999ap-4, 0}));
   EXPECT_THAT(mesh.triangles, ElementsAre(Corners{0, 1, 2}, Corners{0, 1, 2}));
 }
@@ -132,8 +149,9 @@ TEST(ReadMesh, AsciiStl) {
 // ---- structure ----
 
 TEST(ReadMesh, ObjIndicesFromEitherEnd) {
-  const Mesh mesh = obj("# a comment\nv 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 0 1 0 # here too\nf -3 -2 -1\nv 0 0 1\nvn 0 0 nan\n"
-                        "f -4/1/1\t-3//7   -1/2 \r\nl 1 2\nusemtl what ever\nf 5 1 2\nv 5 5 5\n");
+  const Mesh mesh =
+      obj("# a comment\nv 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 0 1 0 # here too\nf -3 -2 -1\nv 0 0 1\nvn 0 0 nan\n"
+          "f -4/1/1\t-3//7   -1/2 \r\nl 1 2\nusemtl what ever\nf 5 1 2\nv 5 5 5\n");
   EXPECT_THAT(mesh.triangles, ElementsAre(Corners{0, 1, 2}, Corners{0, 1, 3}, Corners{4, 0, 1}));
 }
 
@@ -149,10 +167,11 @@ TEST(ReadMesh, VerticesAreWelded) {
 }
 
 TEST(ReadMesh, NumbersNotAskedForMayBeAnything) {
-  const Mesh mesh = ply("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-                        "property float nx\nproperty uchar red\nproperty float green\nproperty uchar g\nproperty uchar blue\n"
-                        "element face 1\nproperty list uchar uint vertex_index\nproperty list uchar float uv\nend_header\n"
-                        "0 0 0 nan 255.0 x 1 2\n1 0 0 inf 1 1 1 1\n0 1 0 1e99 1 1 1 1\n3 0 1 2 2 a b\n");
+  const Mesh mesh =
+      ply("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+          "property float nx\nproperty uchar red\nproperty float green\nproperty uchar g\nproperty uchar blue\n"
+          "element face 1\nproperty list uchar uint vertex_index\nproperty list uchar float uv\nend_header\n"
+          "0 0 0 nan 255.0 x 1 2\n1 0 0 inf 1 1 1 1\n0 1 0 1e99 1 1 1 1\n3 0 1 2 2 a b\n");
   EXPECT_THAT(mesh.triangles, ElementsAre(Corners{0, 1, 2}));
 }
 
@@ -193,11 +212,14 @@ TEST(ReadMesh, BadPlyHeaders) {
   EXPECT_EQ(ply_error("ply\ncomment\n"), "m:2: 'format ... 1.0' has to follow 'ply'");
   EXPECT_THAT(ply_error("ply\nformat binary 1.0\n"), HasSubstr("m:2: format 'binary'; there are ascii, "));
   EXPECT_EQ(ply_error(ply_of("property float x\n", "")), "m:3: a property in front of the first element");
-  EXPECT_THAT(ply_error(ply_of("element vertex 3\nproperty half x\n", "")), HasSubstr("m:4: type 'half'; there are char, "));
+  EXPECT_THAT(ply_error(ply_of("element vertex 3\nproperty half x\n", "")),
+              HasSubstr("m:4: type 'half'; there are char, "));
   EXPECT_EQ(ply_error(ply_of("element vertex -1\n", "")), "m:3: '-1' is no count");
-  EXPECT_EQ(ply_error(ply_of("element vertex 99999999999999999999\n", "")), "m:3: '99999999999999999999' is no count");
+  EXPECT_EQ(ply_error(ply_of("element vertex 99999999999999999999\n", "")),
+            "m:3: '99999999999999999999' is no count");
   EXPECT_EQ(ply_error(ply_of("element vertex 18446744073709551615\n", "")), "m:4: element 'vertex' has no property");
-  EXPECT_EQ(ply_error(ply_of("elephant\n", "")), "m:3: 'elephant' is no keyword of a PLY header");
+  EXPECT_EQ(ply_error(ply_of("elephant\n", "")),
+            "m:3: 'elephant' is no keyword of a PLY header; remove the line, or write 'comment' in front");
   EXPECT_EQ(ply_error(ply_of("element vertex 1\nproperty float x\nproperty float y\n", "")),
             "m:6: 0 properties z of a vertex; there has to be one");
   EXPECT_EQ(ply_error(ply_of("element vertex 1\nproperty int x\nproperty float y\nproperty float z\n", "")),
@@ -216,14 +238,17 @@ TEST(ReadMesh, BadAsciiPlies) {
   EXPECT_EQ(ply_error(ply_of(header, three_points + "3 0 1 3\n")),
             "m: face 0 (the first is 0) has the index 3, and there are 3 vertices");
   EXPECT_EQ(ply_error(ply_of(header, three_points + "3 0 1 -1\n")), "m:13: '-1' is no index of a vertex");
-  EXPECT_EQ(ply_error(ply_of(header, three_points + "2 0 1\n")), "m: face 0 (the first is 0) has 2 corners, and needs three");
+  EXPECT_EQ(ply_error(ply_of(header, three_points + "2 0 1\n")),
+            "m: face 0 (the first is 0) has 2 corners, and needs three");
   EXPECT_EQ(ply_error(ply_of(header, three_points + "-3 0 1 2\n")), "m:13: '-3' is no count of a list");
   EXPECT_EQ(ply_error(ply_of(header, three_points + "256 0 1 2\n")), "m:13: '256' is no count of a list");
-  EXPECT_EQ(ply_error(ply_of(header, "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n")), "m:11: the coordinate 'nan' is not finite");
+  EXPECT_EQ(ply_error(ply_of(header, "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n")),
+            "m:11: the coordinate 'nan' is not finite");
   EXPECT_EQ(ply_error(ply_of(header, "0 0 0\n1 1e39 0\n0 1 0\n3 0 1 2\n")),
             "m:11: the coordinate '1e39' is beyond a float; let the header say double");
-  EXPECT_EQ(ply_error(ply_of(header, three_points + "3 0 1\n")),
-            "m: the header promises 1 items of 'face', and the file ends in item 0; it is cut off, or the header is wrong");
+  EXPECT_EQ(
+      ply_error(ply_of(header, three_points + "3 0 1\n")),
+      "m: the header promises 1 items of 'face', and the file ends in item 0; it is cut off, or the header is wrong");
   EXPECT_EQ(ply_error(ply_of(header, three_points + "3 0 1 2\n3 0 1 2\n")),
             "m:14: more numbers than the header promises; is a count too small?");
   EXPECT_EQ(ply_error(ply_of(vertices, three_points)), "m: has no triangle");
@@ -252,7 +277,8 @@ TEST(ReadMesh, HeadersThatPromiseTheWorldCostNothing) {
   EXPECT_EQ(ply_error(many), "m: the header promises 3 items of 'vertex'" + lost + "0" + wrong);
   many.replace(list, 4, "\xff\xff\xff\xff");
   EXPECT_EQ(ply_error(many), "m: a list of item 0 of 'vertex' has a negative count");
-  EXPECT_THAT(ply_error(ply_of(vertices + "element face 1\nproperty list uint int vertex_indices\n", three_points + "4000000000 0 1 2\n")),
+  EXPECT_THAT(ply_error(ply_of(vertices + "element face 1\nproperty list uint int vertex_indices\n",
+                               three_points + "4000000000 0 1 2\n")),
               HasSubstr("ends in item 0"));
 }
 
@@ -307,7 +333,9 @@ class MeshFiles : public testing::Test {
     std::ofstream(path, std::ios::binary) << bytes;
     return path;
   }
-  static std::string error(const std::string& path) { return error_of([&] { read_mesh(path); }); }
+  static std::string error(const std::string& path) {
+    return error_of([&] { read_mesh(path); });
+  }
   std::string folder() const { return scratch_.path(); }
 
  private:

@@ -36,7 +36,9 @@ TEST(Weld, AgreesWithTheQuadraticWay) {
     Random random(seed, 7);
     Mesh mesh;
     for (int i = 0; i < 60; ++i) {
-      const auto coordinate = [&] { return static_cast<double>(random.integer(-1, 1)) * (random.chance(2) ? 1 : -1); };
+      const auto coordinate = [&] {
+        return static_cast<double>(random.integer(-1, 1)) * (random.chance(2) ? 1 : -1);
+      };
       mesh.vertices.push_back({coordinate(), coordinate(), coordinate()});
     }
     for (int i = 0; i < 40; ++i) {

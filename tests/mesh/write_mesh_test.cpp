@@ -28,10 +28,12 @@ void expect_same_bits(const Mesh& a, const Mesh& b) {
 TEST(WriteMesh, AsBytes) {
   const Mesh mesh = {{{0, -0.0, 1}, {2, 0, 0}, {0, 3, 0}}, {{2, 0, 1}}, Precision::binary32};
   using namespace std::string_literals;
-  EXPECT_EQ(written(mesh, MeshFormat::ply),
-            "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-            "element face 1\nproperty list uchar uint vertex_indices\nend_header\n"
-            "\0\0\0\0\0\0\0\x80\0\0\x80\x3f\0\0\0\x40\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x40\x40\0\0\0\0\3\2\0\0\0\0\0\0\0\1\0\0\0"s);
+  EXPECT_EQ(
+      written(mesh, MeshFormat::ply),
+      "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar uint vertex_indices\nend_header\n"
+      "\0\0\0\0\0\0\0\x80\0\0\x80\x3f"s
+      "\0\0\0\x40\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x40\x40\0\0\0\0\3\2\0\0\0\0\0\0\0\1\0\0\0"s);
   EXPECT_EQ(written(mesh, MeshFormat::obj), "v 0 -0 1\nv 2 0 0\nv 0 3 0\nf 3 1 2\n");
   EXPECT_EQ(error_of([&] { written(mesh, MeshFormat::stl); }),
             "an STL holds floats only and is not written; name the file .ply or .obj");
@@ -46,8 +48,9 @@ TEST(WriteMesh, AnyFiniteBitsReadBack) {
       Mesh mesh;
       const auto coordinate = [&]() -> double {
         while (true) {
-          const double x = precision == Precision::binary64 ? from_bits<double>(random.bits())
-                                                            : from_bits<float>(static_cast<std::uint32_t>(random.bits()));
+          const double x = precision == Precision::binary64
+                               ? from_bits<double>(random.bits())
+                               : from_bits<float>(static_cast<std::uint32_t>(random.bits()));
           if (is_finite(x)) return x;
         }
       };

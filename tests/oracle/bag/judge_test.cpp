@@ -18,10 +18,8 @@ constexpr double root_of_an_eighth = 0x1.6a09e667f3bcdp-2;
 
 // The unit square, cut along x + y = 1; its front is above. A second one lies below it.
 const std::vector<Triangle> square = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{1, 1, 0}, {0, 1, 0}, {1, 0, 0}}};
-const std::vector<Triangle> two_squares = {square[0],
-                                           square[1],
-                                           {{0, 0, -1}, {1, 0, -1}, {0, 1, -1}},
-                                           {{1, 1, -1}, {0, 1, -1}, {1, 0, -1}}};
+const std::vector<Triangle> two_squares = {
+    square[0], square[1], {{0, 0, -1}, {1, 0, -1}, {0, 1, -1}}, {{1, 1, -1}, {0, 1, -1}, {1, 0, -1}}};
 // Four triangles around its middle.
 const std::vector<Triangle> fan = {{{0.5, 0.5, 0}, {0, 0, 0}, {1, 0, 0}},
                                    {{0.5, 0.5, 0}, {1, 0, 0}, {1, 1, 0}},
@@ -55,7 +53,9 @@ struct Asked {
       : bag(triangles), query(searched_ray(ray, c)), truth(bag_truth(bag, query)), contract(c) {}
   BagQuestion question() const { return {bag, query, truth, contract}; }
   BagJudgement nearest(const Answer& answer) const { return judge_nearest(question(), answer); }
-  BagJudgement all(std::initializer_list<std::uint32_t> triangles) const { return judge_hits(question(), hits(triangles)); }
+  BagJudgement all(std::initializer_list<std::uint32_t> triangles) const {
+    return judge_hits(question(), hits(triangles));
+  }
   BagJudgement parity(std::initializer_list<std::uint32_t> triangles) const {
     return judge_parity(question(), hits(triangles));
   }
@@ -115,7 +115,8 @@ TEST(BagJudge, OnASharedEdge) {
   EXPECT_VERDICT(closed.nearest(hit(0)), correct);
   EXPECT_VERDICT(closed.nearest(hit(1)), correct);
   EXPECT_JUDGEMENT(closed.all({}), leak, 0, 0);
-  for (const auto& some : {hits({0}), hits({1}), hits({0, 1})}) EXPECT_VERDICT(judge_hits(closed.question(), some), correct);
+  for (const auto& some : {hits({0}), hits({1}), hits({0, 1})})
+    EXPECT_VERDICT(judge_hits(closed.question(), some), correct);
 
   const Asked open(square, on_edge, with(EdgeRule::open));
   EXPECT_VERDICT(open.nearest({}), correct);
@@ -306,8 +307,8 @@ TEST(BagJudge, FaultsAndNonsense) {
   EXPECT_VERDICT(Asked({}, down(0, 0)).nearest({}), correct);
 }
 
-// Rays through a shared edge or vertex are hits exactly, of all families and ways to aim; the truth itself is never judged
-// wrong.
+// Rays through a shared edge or vertex are hits exactly, of all families and ways to aim; the truth itself is never
+// judged wrong.
 TEST(BagJudge, TruthIsRight) {
   for (std::size_t f = 0; f < bag_family_names.size(); ++f)
     for (const BagTarget target : {BagTarget::edge, BagTarget::vertex, BagTarget::face})
@@ -323,8 +324,9 @@ TEST(BagJudge, TruthIsRight) {
                                               << static_cast<int>(origin) << ' ' << bits << ' ' << index);
               const Query query = ray;
               const BagTruth truth = scene.truth(query);
-              const bool met = std::ranges::any_of(truth.hits, [](const BagHit& h) { return h.t == 1; }) ||
-                               std::ranges::any_of(truth.stretches, [](const Stretch& s) { return s.low <= 1 && 1 <= s.high; });
+              const bool met =
+                  std::ranges::any_of(truth.hits, [](const BagHit& h) { return h.t == 1; }) ||
+                  std::ranges::any_of(truth.stretches, [](const Stretch& s) { return s.low <= 1 && 1 <= s.high; });
               EXPECT_TRUE(met) << "it goes through what it is aimed at";
               for (const EdgeRule rule : {EdgeRule::closed, EdgeRule::one_owner, EdgeRule::open}) {
                 const Contract contract = with(rule);
@@ -336,7 +338,8 @@ TEST(BagJudge, TruthIsRight) {
                     answers.push_back(hit(h.triangle, h.t));
                 const BagVerdict all = judge_hits(question, answers).verdict;
                 EXPECT_TRUE(all == BagVerdict::correct || all == BagVerdict::unspecified) << name(all);
-                const BagVerdict first = judge_nearest(question, answers.empty() ? Answer{} : answers.front()).verdict;
+                const BagVerdict first =
+                    judge_nearest(question, answers.empty() ? Answer{} : answers.front()).verdict;
                 EXPECT_TRUE(first == BagVerdict::correct || first == BagVerdict::unspecified) << name(first);
                 EXPECT_VERDICT(judge_order(question, answers), correct);
                 const BagVerdict parity = bag.closed ? judge_parity(question, answers).verdict : BagVerdict::correct;
