@@ -203,7 +203,9 @@ std::string answer_text(const Evidence& e) {
     case FindingKind::false_hit: return lines + "print(\"That is wrong: the ray misses.\")\n";
     case FindingKind::false_miss: return lines + "print(\"That is wrong: the ray hits.\")\n";
     case FindingKind::not_finite: return lines + "print(\"That is wrong: t, u and v are finite.\")\n";
-    case FindingKind::death: return lines;
+    case FindingKind::death:
+    case FindingKind::leak:  // these two are of several triangles
+    case FindingKind::wrong_nearest: return lines;
     case FindingKind::displaced: break;
   }
   if (a.has_t && off(a.t, e.exact->t, e.leeway->t)) far_off("t", a.t, e.leeway->t);

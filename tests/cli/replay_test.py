@@ -159,7 +159,8 @@ class Reports(ReplayTest):
         self.mixed()
         run = self.sarif()
         self.assertEqual([rule["id"] for rule in run["tool"]["driver"]["rules"]],
-                         ["false-miss", "false-hit", "fault", "known-now-passes", "expectation-differs"])
+                         ["false-miss", "false-hit", "fault", "known-now-passes", "expectation-differs", "leak",
+                          "wrong-nearest"])
         signature = self.rows()["new", WRONG]["signature"]
         told = []
         for result in run["results"]:
@@ -349,7 +350,7 @@ class SeveralTriangles(ReplayTest):
     def test_the_first_hit_is_judged(self):
         done, rows = self.replayed(PAIR % b"leak", PAIR % b"behind" + BEHIND, HAIR % b"beside" + BEHIND, code=1)
         for id, rule, signature in (("leak", "leak", "leak-interior"),
-                                    ("behind", "wrong-nearest", "wrong-nearest-interior"),
+                                    ("behind", "wrong-nearest", "wrong-nearest-interior-through"),
                                     ("beside", "false-hit", "false-hit")):
             row = rows[id, WRONG]
             self.assertEqual((row["rule"], row["verdict"], row["signature"], row["as_stated"]),

@@ -324,7 +324,7 @@ class Triage(TriageTest):
 
     def test_several_triangles(self):
         found = self.collect_several()
-        self.assertEqual({f["signature"] for f in found.values()}, {"leak-interior", "wrong-nearest-interior"})
+        self.assertEqual({f["signature"] for f in found.values()}, {"leak-interior", "wrong-nearest-interior-through"})
         self.assertEqual({(f["element"], f["conditioning"]) for f in found.values()}, {("none", "nominal")})
         self.assertGreater(found["leak"]["worst_ulps"], 0)
         self.assertIn("leak-interior", self.run_fine("triage", self.store))

@@ -47,7 +47,7 @@ TEST(FoundBag, IsSignedByWhatIsHitFirst) {
   Answer third = hit_at(2);
   third.triangle = 2;
   const FoundFinding behind = found({third}, square);
-  EXPECT_EQ(behind.signature, "wrong-nearest-edge");
+  EXPECT_EQ(behind.signature, "wrong-nearest-edge-through");
   EXPECT_EQ(behind.kind, FindingKind::wrong_nearest);
   EXPECT_EQ(behind.found.ulps, 0x1p+50);  // 1, of which an ulp of 4 is 2^-50
   // Away from all but the third.
