@@ -290,6 +290,8 @@ class Killed(FuzzTest):
             with self.subTest(signal=number):
                 campaign = start("fuzz", "--tracer", TRACER, "-o", self.folder, "--time", "60")
                 time.sleep(1)
+                while not self.cases():  # on a busy machine
+                    time.sleep(0.05)
                 os.killpg(campaign.pid, number)
                 out, trouble = campaign.communicate(timeout=20)
                 self.assertEqual((campaign.returncode, trouble), (0, ""))
