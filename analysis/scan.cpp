@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <future>
-#include <map>
 #include <memory>
 #include <sstream>
 
@@ -412,7 +411,7 @@ ScanResult scan(const ScanPlan& plan, ScanState begin, const std::atomic<bool>& 
   const Grounds grounds(*plan.mesh, plan.tracers);
   result.bytes = grounds.own().scene.bytes() + grounds.own().bag.triangles.capacity() * sizeof(Triangle);
   const Reproducer reproducer(plan, grounds);
-  std::map<std::pair<std::size_t, std::string>, double> told;
+  auto told = plan.told;
   std::vector<Worker> workers;
   const unsigned jobs = std::max(1u, plan.jobs);
   workers.reserve(jobs);
@@ -433,7 +432,7 @@ ScanResult scan(const ScanPlan& plan, ScanState begin, const std::atomic<bool>& 
       const Block& block = blocks[state.blocks];
       const ScanSet& set = plan.sets[block.set];
       for (const Candidate& c : results[k].candidates) {
-        const auto [it, is_new] = told.emplace(std::pair(c.tracer, to_word(c.signature)), c.judgement.ulps);
+        const auto [it, is_new] = told.emplace(std::pair(plan.tracers[c.tracer]->info().name, to_word(c.signature)), c.judgement.ulps);
         if (!is_new && !(c.judgement.ulps > 2 * it->second)) continue;
         it->second = c.judgement.ulps;
         if (plan.on_finding) plan.on_finding(reproducer.finding(c, set));

@@ -8,8 +8,10 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/bag_examine.h"
@@ -68,12 +70,13 @@ struct ScanFinding {
 
 struct ScanPlan {
   const Mesh* mesh = nullptr;
-  std::string mesh_name;
   std::vector<ScanSet> sets;
   std::vector<const Tracer*> tracers;
   unsigned jobs = 1;
   /// Of each tracer and signature the first and each that is twice as severe; called by one thread at a time.
   std::function<void(const ScanFinding&)> on_finding = {};
+  /// What was told before, by tracer and the word of the signature: its severity in ulps.
+  std::map<std::pair<std::string, std::string>, double> told = {};
 };
 
 /// How far a scan is: the blocks of rays done, without a gap. Can be kept, and taken up.

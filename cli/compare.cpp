@@ -3,14 +3,15 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <deque>
 #include <filesystem>
+#include <optional>
 
 #include "analysis/compare_table.h"
 #include "analysis/tracers.h"
 #include "case/enum_names.h"
 #include "case/input_error.h"
+#include "cli/interruption.h"
 #include "cli/number_options.h"
 #include "cli/output.h"
 #include "cli/verb.h"
@@ -25,13 +26,6 @@ struct Options {
   std::size_t worst = 3;
   bool json = false;
 };
-
-std::atomic<bool> interrupted = false;
-
-void interrupt(int) {
-  interrupted = true;
-  std::signal(SIGINT, SIG_DFL);  // the second time it is meant
-}
 
 // Without names: all that read inputs of this precision.
 std::vector<const Tracer*> tracers_of(const Options& options, Precision inputs) {
@@ -71,10 +65,11 @@ void run(const Options& options) {
       throw InputError(fmt::format("{}: cannot be made a folder: {}; write elsewhere", options.directory, error.message()));
     for (const char* file : {"/table.md", "/compare.json", "/worst.case"}) files.emplace_back(options.directory + file);
   }
-  std::signal(SIGINT, interrupt);
+  std::optional<Interruption> interruption(std::in_place);
   const bool terminal = isatty(STDERR_FILENO) != 0;
-  const CompareResult result = compare(plan, interrupted, terminal ? show_progress : CompareProgress());
-  std::signal(SIGINT, SIG_DFL);
+  const CompareResult result = compare(plan, interruption->came(), terminal ? show_progress : CompareProgress());
+  const bool interrupted = interruption->came();
+  interruption.reset();
   if (terminal) fmt::print(stderr, "\r\x1b[K");
 
   if (!files.empty()) {

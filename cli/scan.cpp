@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <thread>
 
@@ -19,10 +17,11 @@
 #include "case/enum_names.h"
 #include "case/folder.h"
 #include "case/input_error.h"
-#include "case/shell_word.h"
 #include "cli/findings_option.h"
+#include "cli/interruption.h"
 #include "cli/number_options.h"
 #include "cli/output.h"
+#include "cli/scan_folder.h"
 #include "cli/tracer_options.h"
 #include "cli/verb.h"
 #include "findings/collector.h"
@@ -46,14 +45,6 @@ struct Options {
   ForeignOptions foreign;
 };
 
-std::atomic<bool> interrupted = false;
-void (*meant)(int) = SIG_DFL;  // what an interrupt did before
-
-void interrupt(int) {
-  interrupted = true;
-  std::signal(SIGINT, meant);  // the second time it is
-}
-
 std::vector<ScanSet> sets_of(const Options& options, const Mesh& mesh) {
   std::vector<ScanAim> aims;
   for (const std::string& word : options.aims) aims.push_back(*from_name<ScanAim>(scan_aim_names, word));
@@ -73,59 +64,6 @@ std::vector<ScanSet> sets_of(const Options& options, const Mesh& mesh) {
   }
   return sets;
 }
-
-// FNV-1a over all of a mesh.
-std::uint64_t fingerprint(const Mesh& mesh) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  const auto take = [&](std::uint64_t word) { hash = (hash ^ word) * 0x100000001b3u; };
-  for (const Vec3& v : mesh.vertices)
-    for (const double x : {v.x, v.y, v.z}) take(to_bits(x));
-  for (const Corners& corners : mesh.triangles)
-    for (const std::uint32_t corner : corners) take(corner);
-  return hash;
-}
-
-// A scan's folder: how far it is, and what it found.
-class ScanFolder {
- public:
-  ScanFolder(const std::string& path, const ScanPlan& plan, const Options& options) : path_(path) {
-    if (path_.empty()) return;
-    plan_line_ = fmt::format("plan {:016x} seed {}", fingerprint(*plan.mesh), options.seed);
-    for (const ScanSet& set : plan.sets) plan_line_ += fmt::format(" | {} {}", set.name, set.size);
-    for (const Tracer* tracer : plan.tracers) plan_line_ += " | " + tracer->info().name;
-    make_folder(path_ / "findings");
-  }
-
-  /// What was done before; nothing where there is none. Throws InputError where the folder is another scan's.
-  ScanState begin(const ScanPlan& plan) const {
-    std::ifstream file(path_ / "scan.state");
-    std::string first, second;
-    if (path_.empty() || !file) return blank(plan);
-    std::getline(file, first);
-    std::getline(file, second);
-    if (first != plan_line_)
-      throw InputError(fmt::format("{}: holds a scan of another mesh, seed, number of rays or list of tracers; name a new "
-                                   "folder, or give the same again to take it up",
-                                   path_.string()));
-    const auto state = from_line(second, plan);
-    if (!state)
-      throw InputError(fmt::format("{}: is damaged; remove it, and the scan begins anew", (path_ / "scan.state").string()));
-    return *state;
-  }
-
-  void keep(const ScanState& state) const { write("scan.state", plan_line_ + "\n" + to_line(state) + "\n"); }
-  void write(const std::filesystem::path& name, const std::string& text) const {
-    if (path_.empty()) return;
-    make_folder((path_ / name).parent_path());
-    Output output((path_ / name).string());
-    output.write(text);
-    output.finish();
-  }
-
- private:
-  std::filesystem::path path_;
-  std::string plan_line_;
-};
 
 std::string file_name(std::string_view text) {
   std::string safe;
@@ -154,33 +92,40 @@ Case case_of(const ScanFinding& f, const Options& options) {
   return found;
 }
 
+// What was kept of a finding, in this run or in one before.
+struct Kept {
+  const Tracer* tracer = nullptr;
+  Case found;  ///< with its provenance
+  double ulps = 0;
+  bool reproduced = false;  ///< by the triangles of `found` alone
+  std::optional<ShrunkBag> shrunk;
+};
+
 class Run {
  public:
   explicit Run(const Options& options) : options_(options), mesh_(read_mesh(options.mesh)) {
     plan_.mesh = &mesh_;
-    plan_.mesh_name = options.mesh;
     plan_.sets = sets_of(options, mesh_);
     plan_.tracers = find_tracers(options.tracers, options.foreign);
     plan_.jobs = options.jobs;
     plan_.on_finding = [this](const ScanFinding& f) { take(f); };
-    folder_.emplace(options.folder, plan_, options);
+    folder_.emplace(options.folder, plan_, options.seed);
     if (!options.store.empty()) store_.emplace((FindingStore(options.store, Open::create), options.store), "scan");
   }
 
   void run() {
     const ScanState begin = folder_->begin(plan_);
+    if (begin.blocks > 0) recall();
     Output output;
     output.write(to_text(report(mesh_)) + "\n");
     output.flush();
-    // Or it's told here that it can't be written. The first file written catches signals: so before ours are.
-    if (!options_.folder.empty()) folder_->keep(begin);
-    meant = std::signal(SIGINT, SIG_IGN);
-    std::signal(SIGINT, interrupt);
-    const ScanResult result = scan(plan_, begin, interrupted, [this](const ScanProgress& p) { show(p); });
-    if (!options_.folder.empty()) folder_->keep(result.state);
+    folder_->keep(begin);  // or it's told here that it can't be written
+    interruption_.emplace();
+    const ScanResult result = scan(plan_, begin, interruption_->came(), [this](const ScanProgress& p) { show(p); });
+    folder_->keep(result.state);
     if (result.complete && options_.shrink) shrink_findings();
-    std::signal(SIGINT, meant);
-    clear_line();
+    interruption_.reset();
+    if (terminal_) fmt::print(stderr, "\r\x1b[K");
     const std::string table = to_terminal(plan_, result) + findings_table();
     if (result.complete) {
       folder_->write("scan.txt", to_text(report(mesh_)) + "\n" + table);
@@ -188,57 +133,75 @@ class Run {
     }
     output.write(table);
     output.finish();
-    if (store_) finish_store(result);
+    if (store_) {
+      for (const Tracer* tracer : plan_.tracers) store_->count(tracer->info().name, result.rays);
+      store_->finish();
+    }
     for (std::size_t t = 0; t < plan_.tracers.size(); ++t)
       fmt::print(stderr, "{}", complaints(plan_.tracers[t]->info().name, result.conduct[t]));
     if (!result.complete)
       throw std::runtime_error(options_.folder.empty()
                                    ? "interrupted: this is of the rays done only; with -o DIR it can be taken up"
-                                   : fmt::format("interrupted: this is of the rays done only; the same command takes it up in {}",
+                                   : fmt::format("interrupted: this is of the rays done only; the same command takes it "
+                                                 "up in {}",
                                                  options_.folder));
   }
 
  private:
-  struct Kept {
-    ScanFinding finding;
-    std::optional<ShrunkBag> shrunk;
-  };
+  using Key = std::pair<std::string, std::string>;  // tracer, word of the signature
 
   void take(const ScanFinding& f) {
-    const std::string word = to_word(f.signature);
-    folder_->write(std::filesystem::path("findings") / file_name(f.tracer->info().name) / (word + ".case"),
-                   to_text(case_of(f, options_)));
-    kept_.insert_or_assign({f.tracer->info().name, word}, Kept{f, {}});
+    const Key key = {f.tracer->info().name, to_word(f.signature)};
+    const Case found = case_of(f, options_);
+    folder_->write(path_of(key, ".case"), to_text(found));
+    kept_.insert_or_assign(key, Kept{f.tracer, found, f.judgement.ulps, f.reproduced, {}});
     // What can't be seen again with a few triangles is no case for a store.
-    if (store_ && f.reproduced) store_->add(for_store(f, f.what, f.judgement));
+    if (store_ && f.reproduced) store_->add(for_store(f.tracer->info(), f.signature, f.judgement, f.what));
   }
 
-  FoundFinding for_store(const ScanFinding& f, const Case& what, const BagJudgement& judgement) const {
-    return found_bag_finding(f.tracer->info(), f.signature, judgement, what, "scan of " + options_.mesh);
+  // What a run before this one found.
+  void recall() {
+    for (const Tracer* tracer : plan_.tracers) {
+      for (const std::string& word : folder_->words(file_name(tracer->info().name))) {
+        const Key key = {tracer->info().name, word};
+        const Case found = read_cases((std::filesystem::path(options_.folder) / path_of(key, ".case")).string()).front();
+        const BagExamination e = examine_bag(*tracer, found);
+        const auto again = signature(e);
+        Kept kept{tracer, found, 0, again && to_word(*again) == word, {}};
+        if (kept.reproduced) kept.ulps = e.judgement.ulps;
+        plan_.told.emplace(key, kept.ulps);
+        kept_.emplace(key, std::move(kept));
+      }
+    }
+  }
+
+  static std::filesystem::path path_of(const Key& key, const char* end) {
+    return std::filesystem::path("findings") / file_name(key.first) / (key.second + end);
+  }
+
+  FoundFinding for_store(const TracerInfo& tracer, const BagSignature& signature, const BagJudgement& judgement,
+                         const Case& what) const {
+    return found_bag_finding(tracer, signature, judgement, what, "scan of " + options_.mesh);
   }
 
   void shrink_findings() {
     std::size_t at = 0;
     for (auto& [key, kept] : kept_) {
-      if (interrupted) return;
+      if (interruption_->came()) return;
       if (terminal_) fmt::print(stderr, "\r\x1b[Kmaking findings plain: {} of {}", ++at, kept_.size());
-      if (!kept.finding.reproduced) continue;
-      kept.shrunk = shrink_bag(kept.finding.what, *kept.finding.tracer);
+      if (!kept.reproduced) continue;
+      kept.shrunk = shrink_bag(kept.found, *kept.tracer);
       if (!kept.shrunk) continue;
-      if (store_) store_->add_plainer(for_store(kept.finding, kept.shrunk->what, kept.shrunk->after.judgement));
-      Case simple = case_of(kept.finding, options_);
+      const auto& [what, before, after, bits_before, bits_after, tries] = *kept.shrunk;
+      if (store_) store_->add_plainer(for_store(kept.tracer->info(), *signature(after), after.judgement, what));
+      Case simple = kept.found;
       simple.provenance.push_back(fmt::format("shrunk: {} triangles -> {}, {} -> {} significant bits",
-                                              kept.finding.what.bag.triangles.size(), kept.shrunk->what.bag.triangles.size(),
-                                              kept.shrunk->bits_before, kept.shrunk->bits_after));
-      simple.bag = kept.shrunk->what.bag;
-      simple.ray = kept.shrunk->what.ray;
-      folder_->write(std::filesystem::path("findings") / file_name(key.first) / (key.second + ".min.case"), to_text(simple));
+                                              kept.found.bag.triangles.size(), what.bag.triangles.size(), bits_before,
+                                              bits_after));
+      simple.bag = what.bag;
+      simple.ray = what.ray;
+      folder_->write(path_of(key, ".min.case"), to_text(simple));
     }
-  }
-
-  void finish_store(const ScanResult& result) {
-    for (const Tracer* tracer : plan_.tracers) store_->count(tracer->info().name, result.rays);
-    store_->finish();
   }
 
   std::string findings_table() const {
@@ -246,8 +209,8 @@ class Run {
     TextTable table{{{"tracer"}, {"finding"}, {"severity (ulps)", true}, {"triangles", true}, {"bits", true}}, {}};
     for (const auto& [key, kept] : kept_) {
       const auto& shrunk = kept.shrunk;
-      table.rows.push_back({key.first, key.second, fmt::format("{:.4g}", kept.finding.judgement.ulps),
-                            shrunk ? std::to_string(shrunk->what.bag.triangles.size()) : kept.finding.reproduced ? "?" : "mesh",
+      table.rows.push_back({key.first, key.second, kept.ulps > 0 || kept.reproduced ? fmt::format("{:.4g}", kept.ulps) : "?",
+                            shrunk ? std::to_string(shrunk->what.bag.triangles.size()) : kept.reproduced ? "?" : "many",
                             shrunk ? std::to_string(shrunk->bits_after) : "-"});
     }
     std::string text = "\nThe worst of each kind, and how few triangles and bits show it:\n" + to_terminal(table);
@@ -259,7 +222,7 @@ class Run {
     const auto now = Clock::now();
     if (now - kept_at_ >= std::chrono::seconds(1)) {
       kept_at_ = now;
-      if (!options_.folder.empty()) folder_->keep(*p.state);
+      folder_->keep(*p.state);
       if (terminal_) {
         if (!first_) first_ = {now, p.rays};
         const double seconds = std::chrono::duration<double>(now - first_->at).count();
@@ -269,10 +232,6 @@ class Run {
         if (done > 0) fmt::print(stderr, ", about {:.0f} s left", seconds * left / done);
       }
     }
-  }
-
-  void clear_line() const {
-    if (terminal_) fmt::print(stderr, "\r\x1b[K");
   }
 
   struct Mark {
@@ -285,7 +244,8 @@ class Run {
   ScanPlan plan_;
   std::optional<ScanFolder> folder_;
   std::optional<Collector> store_;
-  std::map<std::pair<std::string, std::string>, Kept> kept_;  // by tracer and word
+  std::optional<Interruption> interruption_;
+  std::map<Key, Kept> kept_;
   bool terminal_ = isatty(STDERR_FILENO) != 0;
   Clock::time_point kept_at_ = Clock::now();
   std::optional<Mark> first_;

@@ -2,13 +2,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <optional>
 #include <stdexcept>
 #include <thread>
 
 #include "analysis/self_hits_table.h"
 #include "analysis/tracers.h"
+#include "cli/interruption.h"
 #include "cli/number_options.h"
 #include "cli/output.h"
 #include "cli/tracer_options.h"
@@ -24,14 +24,6 @@ struct Options {
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   ForeignOptions foreign;
 };
-
-std::atomic<bool> interrupted = false;
-void (*meant)(int) = SIG_DFL;  // what an interrupt did before
-
-void interrupt(int) {
-  interrupted = true;
-  std::signal(SIGINT, meant);  // the second time it is
-}
 
 std::vector<std::string> all_families() {
   std::vector<std::string> names;
@@ -59,11 +51,11 @@ void run(const Options& options) {
   const SelfHitPlan plan = plan_of(options);
   std::optional<Output> file;
   if (!options.file.empty()) file.emplace(options.file);  // opened before the work: better told now than in a minute
-  meant = std::signal(SIGINT, SIG_IGN);
-  std::signal(SIGINT, interrupt);
+  std::optional<Interruption> interruption(std::in_place);
   const bool terminal = isatty(STDERR_FILENO) != 0;
-  const SelfHitResult result = measure_self_hits(plan, interrupted, terminal ? show_progress : SelfHitProgress());
-  std::signal(SIGINT, meant);
+  const SelfHitResult result = measure_self_hits(plan, interruption->came(), terminal ? show_progress : SelfHitProgress());
+  const bool interrupted = interruption->came();
+  interruption.reset();
   if (terminal) fmt::print(stderr, "\r\x1b[K");
 
   if (file) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <deque>
 #include <filesystem>
 #include <map>
@@ -16,6 +15,7 @@
 #include "case/enum_names.h"
 #include "case/input_error.h"
 #include "cli/findings_option.h"
+#include "cli/interruption.h"
 #include "cli/lattice_options.h"
 #include "cli/output.h"
 #include "cli/tracer_options.h"
@@ -37,14 +37,6 @@ struct SweepOptions {
   bool json = false;
   std::string csv, markdown, directory, store;
 };
-
-std::atomic<bool> interrupted = false;
-void (*meant)(int) = SIG_DFL;  // what an interrupt did before
-
-void interrupt(int) {
-  interrupted = true;
-  std::signal(SIGINT, meant);  // the second time it is
-}
 
 void show_progress(std::uint64_t done, std::uint64_t planned) {
   static std::uint64_t shown = 0;  // in thousandths
@@ -151,11 +143,10 @@ void run_sweep(const SweepOptions& options) {
   std::deque<Output> outputs;  // opened before the work: better told now than in an hour
   for (const File& file : files) outputs.emplace_back(file.path);
 
-  meant = std::signal(SIGINT, SIG_IGN);
-  std::signal(SIGINT, interrupt);
+  std::optional<Interruption> interruption(std::in_place);
   const bool terminal = isatty(STDERR_FILENO) != 0;
-  const SweepResult result = sweep(plan, interrupted, terminal ? show_progress : SweepProgress());
-  std::signal(SIGINT, meant);
+  const SweepResult result = sweep(plan, interruption->came(), terminal ? show_progress : SweepProgress());
+  interruption.reset();
   if (terminal) fmt::print(stderr, "\r\x1b[K");  // the progress goes, the table comes
 
   const bool partial = result.done.end != plan.triples.end;

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <deque>
+#include <optional>
 #include <thread>
 
 #include "analysis/tracers.h"
 #include "analysis/watertight_table.h"
+#include "cli/interruption.h"
 #include "cli/number_options.h"
 #include "cli/output.h"
 #include "cli/tracer_options.h"
@@ -24,13 +25,6 @@ struct Options {
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   std::string csv, markdown;
 };
-
-std::atomic<bool> interrupted = false;
-
-void interrupt(int) {
-  interrupted = true;
-  std::signal(SIGINT, SIG_DFL);  // the second time it is meant
-}
 
 void show_progress(std::uint64_t done, std::uint64_t planned) {
   static std::uint64_t shown = 0;  // in thousandths
@@ -57,10 +51,10 @@ void run(const Options& options) {
   std::deque<Output> outputs;  // opened before the work: better told now than in an hour
   for (const File& file : files) outputs.emplace_back(file.path);
 
-  std::signal(SIGINT, interrupt);
+  std::optional<Interruption> interruption(std::in_place);
   const bool terminal = isatty(STDERR_FILENO) != 0;
-  const LeakResult result = find_leaks(plan, interrupted, terminal ? show_progress : LeakProgress());
-  std::signal(SIGINT, SIG_DFL);
+  const LeakResult result = find_leaks(plan, interruption->came(), terminal ? show_progress : LeakProgress());
+  interruption.reset();
   if (terminal) fmt::print(stderr, "\r\x1b[K");  // the progress goes, the table comes
 
   const bool partial = result.done < result.planned;

@@ -41,6 +41,11 @@ class Scan(unittest.TestCase):
         return plumbline("scan", self.mesh, "--tracer", "moller_trumbore_f32", "--tracer", "exact", "-o", self.folder / name,
                          *arguments, code=code)
 
+    def findings(self, name):
+        """The severity of each."""
+        cases = (self.folder / name / "findings").glob("*/*.case")
+        return {case.name: float(re.search(r"severity (\S+) ulps", case.read_text())[1]) for case in cases}
+
     def test_everything_is_in_the_folder(self):
         done = self.scan("all", "--rays", 20000)
         folder = self.folder / "all"
@@ -92,6 +97,8 @@ class Scan(unittest.TestCase):
                 self.assertIn("What the tracers say", out)
             self.scan(name, "--rays", 400000, "--no-shrink")
             self.assertEqual(rows_of(self.folder / name), rows_of(self.folder / "whole"))
+            # And nothing that was found is lost, or made less of.
+            self.assertEqual(self.findings(name), self.findings("whole"))
 
     def test_grids_of_shotlines(self):
         done = plumbline("scan", self.mesh, "--tracer", "exact", "--view", 0, 0, 0.1, "--view", -90, 30, 0.25,
