@@ -15,8 +15,8 @@
 namespace plumbline {
 
 struct BagExamination {
-  Case put;      ///< as the tracer was put it: at its precision
-  Query query;   ///< what it was really asked, in the range that its contract says is searched
+  Case put;     ///< as the tracer was put it: at its precision
+  Query query;  ///< what it was really asked, in the range that its contract says is searched
   Answer answer;
   BagTruth truth;  ///< of the bag and the query
   BagJudgement judgement;
@@ -39,8 +39,8 @@ struct BagSignature {
   HitClass where = HitClass::interior;  ///< of what has to be hit first, the least exceptional: interior, edge, vertex;
                                         ///< exterior: nothing has to be
   bool culling = false;
-  bool through = false;  ///< of a wrong nearest hit: what is reported does lie on the ray, behind what was missed. Else it
-                         ///< lies beside the ray: mostly a neighbour
+  bool through = false;  ///< of a wrong nearest hit: what is reported does lie on the ray, behind what was missed. Else
+                         ///< it lies beside the ray: mostly a neighbour
   friend bool operator==(const BagSignature&, const BagSignature&) = default;
 };
 

@@ -3,9 +3,9 @@
 //
 // Triangles are taken away in halves, quarters and so on, down to one by one (delta debugging: Zeller and Hildebrandt,
 // IEEE Transactions on Software Engineering 28(2), 2002). Then every coordinate of a vertex, which its triangles keep
-// sharing, and of the ray is rounded to as few bits as may be, over and over until nothing changes; before that the bag is
-// moved towards the origin, where it still is wrong there. Simpler is as in shrink.h. Every step is examined by tracer and
-// oracle; the same case and tracer give the same result.
+// sharing, and of the ray is rounded to as few bits as may be, over and over until nothing changes; before that the bag
+// is moved towards the origin, where it still is wrong there. Simpler is as in shrink.h. Every step is examined by
+// tracer and oracle; the same case and tracer give the same result.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -24,8 +24,8 @@ struct ShrunkBag {
 /// Keeps tracer and signature. No value where the tracer gets the case right.
 std::optional<ShrunkBag> shrink_bag(const Case& asked, const Tracer& tracer);
 
-/// Significant bits of all numbers; a coordinate that vertices share counts once for each vertex, not for each triangle.
-/// A default range counts nothing.
+/// Significant bits of all numbers; a coordinate that vertices share counts once for each vertex, not for each
+/// triangle. A default range counts nothing.
 unsigned significant_bits(const Case& what);
 
 }  // namespace plumbline

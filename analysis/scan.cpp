@@ -213,10 +213,10 @@ class Worker {
   static std::optional<BagVerdict> plain_verdict(const Contract& contract, std::span<const NearestHits::Owner> owners,
                                                  const Answer& answer) {
     if (answer.outcome == Outcome::fault) return BagVerdict::fault;
-    if (contract.culling != Culling::none || contract.coplanar == TouchRule::hit || contract.degenerate == TouchRule::hit)
+    if (contract.culling != Culling::none || contract.coplanar == TouchRule::hit ||
+        contract.degenerate == TouchRule::hit)
       return std::nullopt;
-    if (owners.empty())
-      return answer.outcome == Outcome::miss ? std::optional(BagVerdict::correct) : std::nullopt;
+    if (owners.empty()) return answer.outcome == Outcome::miss ? std::optional(BagVerdict::correct) : std::nullopt;
     if (answer.outcome != Outcome::hit || !answer.has_t) return std::nullopt;
     const auto named = std::ranges::find(owners, answer.triangle, &NearestHits::Owner::triangle);
     const bool well_within = named != owners.end() && named->truth.hit_class == HitClass::interior &&
@@ -432,7 +432,8 @@ ScanResult scan(const ScanPlan& plan, ScanState begin, const std::atomic<bool>& 
       const Block& block = blocks[state.blocks];
       const ScanSet& set = plan.sets[block.set];
       for (const Candidate& c : results[k].candidates) {
-        const auto [it, is_new] = told.emplace(std::pair(plan.tracers[c.tracer]->info().name, to_word(c.signature)), c.judgement.ulps);
+        const auto [it, is_new] =
+            told.emplace(std::pair(plan.tracers[c.tracer]->info().name, to_word(c.signature)), c.judgement.ulps);
         if (!is_new && !(c.judgement.ulps > 2 * it->second)) continue;
         it->second = c.judgement.ulps;
         if (plan.on_finding) plan.on_finding(reproducer.finding(c, set));

@@ -1,8 +1,8 @@
 // Many rays at a mesh, through many tracers, each answer judged by the exact nearest hit.
 //
-// A tracer that finds its way among many triangles (TracerInfo::has_tree) is asked about the whole mesh. One that looks at
-// each triangle in turn is asked so up to whole_limit triangles; beyond, about those whose boxes the ray meets: then what it
-// would hit elsewhere, where nothing is near, is not seen.
+// A tracer that finds its way among many triangles (TracerInfo::has_tree) is asked about the whole mesh. One that looks
+// at each triangle in turn is asked so up to whole_limit triangles; beyond, about those whose boxes the ray meets: then
+// what it would hit elsewhere, where nothing is near, is not seen.
 #pragma once
 #include <array>
 #include <atomic>
@@ -61,10 +61,10 @@ struct ScanFinding {
   BagJudgement judgement;
   const ScanSet* set = nullptr;
   std::uint64_t index = 0;  ///< of the ray
-  /// The ray and, of the whole mesh, the triangles that are wanted to see it again: those whose boxes it meets, and more
-  /// around where that isn't enough (a tree loses its way among many). Where 4096 aren't either, the first ones.
+  /// The ray and, of the whole mesh, the triangles that are wanted to see it again: those whose boxes it meets, and
+  /// more around where that isn't enough (a tree loses its way among many). Where 4096 aren't either, the first ones.
   Case what;
-  bool reproduced = false;             ///< the tracer gets `what` wrong in the same way
+  bool reproduced = false;               ///< the tracer gets `what` wrong in the same way
   std::vector<std::uint32_t> triangles;  ///< those of what.bag, as indices of the mesh's
 };
 
@@ -109,7 +109,8 @@ struct ScanProgress {
   const ScanState* state = nullptr;
 };
 
-/// From `begin`, which is blank or was kept of the same plan, until all is done or `stop` becomes true. The state in the result depends on the plan without jobs alone.
+/// From `begin`, which is blank or was kept of the same plan, until all is done or `stop` becomes true. The state in
+/// the result depends on the plan without jobs alone.
 ScanResult scan(const ScanPlan& plan, ScanState begin, const std::atomic<bool>& stop,
                 const std::function<void(const ScanProgress&)>& progress);
 

@@ -38,7 +38,6 @@ double turned(Random& random, double x, Precision precision) {
                                           : step_ulps(x, steps);
 }
 
-
 // In degrees; exact where they are whole quarters.
 struct Turn {
   double cosine, sine;
@@ -71,7 +70,8 @@ ScanRays::ScanRays(const Mesh& mesh, std::uint64_t seed)
   by_thinness.reserve(mesh.triangles.size());
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
     if (const double thin = thinness(triangle_at(mesh, i)); thin > 0) by_thinness.emplace_back(thin, i);
-  const std::size_t thinnest = std::max<std::size_t>(by_thinness.size() / 64, std::min<std::size_t>(by_thinness.size(), 1));
+  const std::size_t thinnest =
+      std::max<std::size_t>(by_thinness.size() / 64, std::min<std::size_t>(by_thinness.size(), 1));
   std::ranges::partial_sort(by_thinness, by_thinness.begin() + static_cast<std::ptrdiff_t>(thinnest));
   for (std::size_t i = 0; i < thinnest; ++i) slivers_.push_back(by_thinness[i].second);
 }
@@ -94,14 +94,19 @@ Ray ScanRays::ray(ScanAim aim, std::uint64_t index) const {
   Vec3 origin = anywhere(2), target;
   bool turn = false;
   switch (aim) {
-    case ScanAim::uniform: target = anywhere(1); break;
+    case ScanAim::uniform:
+      target = anywhere(1);
+      break;
     case ScanAim::edge: {
       const Triangle t = any_triangle();
       target = plus(t.a, times(fraction(), minus(t.b, t.a)));
       turn = random.chance(2);
       break;
     }
-    case ScanAim::vertex: target = any_triangle().c; turn = random.chance(2); break;
+    case ScanAim::vertex:
+      target = any_triangle().c;
+      turn = random.chance(2);
+      break;
     case ScanAim::sliver: {
       if (slivers_.empty()) {
         target = anywhere(1);
@@ -159,7 +164,8 @@ ShotlineGrid::ShotlineGrid(const Mesh& mesh, double azimuth, double elevation, d
   front_ += std::max({right - left_, top - bottom_, cell});
   const double columns = std::floor((right - left_) / cell) + 1, rows = std::floor((top - bottom_) / cell) + 1;
   if (!(columns * rows <= 1e9))
-    throw InputError(fmt::format("a grid of {:.0f} x {:.0f} shotlines with cells of {}: take larger cells", columns, rows, cell));
+    throw InputError(
+        fmt::format("a grid of {:.0f} x {:.0f} shotlines with cells of {}: take larger cells", columns, rows, cell));
   columns_ = static_cast<std::uint64_t>(columns);
   rows_ = static_cast<std::uint64_t>(rows);
 }

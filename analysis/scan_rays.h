@@ -1,7 +1,7 @@
 // Rays for a mesh, aimed at what hurts: edges, vertices, slivers, silhouettes; all over it; and grids of shotlines.
 //
-// A ray is a function of mesh, seed, aim and index, whatever else is asked, so that a scan can be split over threads, cut
-// off and taken up. Its numbers are of the mesh's precision, its range is [0, inf].
+// A ray is a function of mesh, seed, aim and index, whatever else is asked, so that a scan can be split over threads,
+// cut off and taken up. Its numbers are of the mesh's precision, its range is [0, inf].
 #pragma once
 #include <array>
 #include <cstdint>
@@ -13,8 +13,7 @@
 namespace plumbline {
 
 enum class ScanAim : unsigned char { uniform, edge, vertex, sliver, silhouette };
-inline constexpr std::array<std::string_view, 5> scan_aim_names = {"uniform", "edge", "vertex", "sliver",
-                                                                   "silhouette"};
+inline constexpr std::array<std::string_view, 5> scan_aim_names = {"uniform", "edge", "vertex", "sliver", "silhouette"};
 constexpr std::string_view name(ScanAim a) { return scan_aim_names[static_cast<unsigned>(a)]; }
 inline constexpr std::array<std::string_view, 5> scan_aim_summaries = {
     "from anywhere around or in the mesh to anywhere in its box",
@@ -38,9 +37,9 @@ class ScanRays {
   std::vector<std::uint32_t> slivers_;  // triangles
 };
 
-/// Parallel rays on a square grid that covers the mesh, as vulnerability codes in the manner of FASTGEN fire them: looking
-/// along -(cos a cos e, sin a cos e, sin e), cells across (-sin a, cos a, 0) and up (-cos a sin e, -sin a sin e, cos e), from
-/// in front of the mesh, in the middle of each cell. Angles in degrees; multiples of 90 are exact.
+/// Parallel rays on a square grid that covers the mesh, as vulnerability codes in the manner of FASTGEN fire them:
+/// looking along -(cos a cos e, sin a cos e, sin e), cells across (-sin a, cos a, 0) and up (-cos a sin e, -sin a sin
+/// e, cos e), from in front of the mesh, in the middle of each cell. Angles in degrees; multiples of 90 are exact.
 class ShotlineGrid {
  public:
   /// Throws InputError where the cell is not positive and finite, or the grid has more than 10^9 cells.

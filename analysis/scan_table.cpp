@@ -26,9 +26,20 @@ std::string truths(const ScanPlan& plan, const ScanState& state) {
 }
 
 std::string verdicts(const ScanPlan& plan, const ScanResult& result) {
-  TextTable table{{{"tracer"}, {"rays", true}, {"leaks inside", true}, {"on an edge", true}, {"at a vertex", true},
-                   {"through", true}, {"beside", true}, {"lost by culling", true}, {"false hits", true}, {"unspecified", true},
-                   {"faults", true}, {"worst (ulps)", true}, {"ns a ray", true}, {"exact takes", true}},
+  TextTable table{{{"tracer"},
+                   {"rays", true},
+                   {"leaks inside", true},
+                   {"on an edge", true},
+                   {"at a vertex", true},
+                   {"through", true},
+                   {"beside", true},
+                   {"lost by culling", true},
+                   {"false hits", true},
+                   {"unspecified", true},
+                   {"faults", true},
+                   {"worst (ulps)", true},
+                   {"ns a ray", true},
+                   {"exact takes", true}},
                   {}};
   const auto nanoseconds = [&](double seconds) {
     return result.rays == 0 ? 0 : 1e9 * seconds / static_cast<double>(result.rays);
@@ -40,10 +51,10 @@ std::string verdicts(const ScanPlan& plan, const ScanResult& result) {
     const auto n = [](std::uint64_t count) { return std::to_string(count); };
     const TracerInfo& info = plan.tracers[t]->info();
     const bool timed = info.has_tree && result.rays > 0 && took > 0;  // asked about the whole mesh, as it's meant to be
-    table.rows.push_back({info.name, n(rays(sum)), n(sum.leaks[0]), n(sum.leaks[1]), n(sum.leaks[2]),
-                          n(sum.through), n(sum[BagVerdict::wrong_nearest] - sum.through), n(sum.culled), n(sum[BagVerdict::false_hit]),
-                          n(sum[BagVerdict::unspecified]), n(sum[BagVerdict::fault]), fmt::format("{:.3g}", sum.worst_ulps),
-                          timed ? fmt::format("{:.0f}", nanoseconds(took)) : "-",
+    table.rows.push_back({info.name, n(rays(sum)), n(sum.leaks[0]), n(sum.leaks[1]), n(sum.leaks[2]), n(sum.through),
+                          n(sum[BagVerdict::wrong_nearest] - sum.through), n(sum.culled), n(sum[BagVerdict::false_hit]),
+                          n(sum[BagVerdict::unspecified]), n(sum[BagVerdict::fault]),
+                          fmt::format("{:.3g}", sum.worst_ulps), timed ? fmt::format("{:.0f}", nanoseconds(took)) : "-",
                           timed ? fmt::format("{:.2f} x", result.times.exact / took) : "-"});
   }
   std::string text = "What the tracers say, judged by their contracts:\n" + to_terminal(table);
@@ -67,7 +78,8 @@ std::string to_csv(const ScanPlan& plan, const ScanState& state) {
   for (std::size_t set = 0; set < plan.sets.size(); ++set) {
     for (std::size_t t = 0; t < plan.tracers.size(); ++t) {
       const ScanTally& tally = state.tallies[set][t];
-      text += fmt::format("{},{},{}", csv_field(plan.sets[set].name), csv_field(plan.tracers[t]->info().name), rays(tally));
+      text +=
+          fmt::format("{},{},{}", csv_field(plan.sets[set].name), csv_field(plan.tracers[t]->info().name), rays(tally));
       for (const std::uint64_t n : state.truths[set].nearest) text += fmt::format(",{}", n);
       for (const std::uint64_t n : tally.verdicts) text += fmt::format(",{}", n);
       for (const std::uint64_t n : tally.leaks) text += fmt::format(",{}", n);

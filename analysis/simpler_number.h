@@ -20,8 +20,8 @@ inline unsigned significant_bits(double v) {
   return s == 0 ? 0 : static_cast<unsigned>(std::bit_width(s >> std::countr_zero(s)));
 }
 
-/// Simpler is less: four for a significant bit, one for a power of two that the leading bit is away from 1, one for a minus
-/// sign. An infinity has no bits.
+/// Simpler is less: four for a significant bit, one for a power of two that the leading bit is away from 1, one for a
+/// minus sign. An infinity has no bits.
 inline unsigned weight(double v) {
   if (is_zero(v) || !is_finite(v)) return is_negative(v);
   return 4 * significant_bits(v) + static_cast<unsigned>(std::abs(std::ilogb(v))) + is_negative(v);

@@ -4,8 +4,8 @@
 
 namespace plumbline {
 
-/// While it lives, the first Ctrl-C is noted, and the second does what the first did before. One at a time. To be made when
-/// the files to be written are open, for these see to it that they go when a signal ends the program.
+/// While it lives, the first Ctrl-C is noted, and the second does what the first did before. One at a time. To be made
+/// when the files to be written are open, for these see to it that they go when a signal ends the program.
 class Interruption {
  public:
   Interruption();

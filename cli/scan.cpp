@@ -55,7 +55,8 @@ std::vector<ScanSet> sets_of(const Options& options, const Mesh& mesh) {
   for (std::size_t k = 0; k < aims.size(); ++k) {
     // As even as it goes.
     const std::uint64_t size = options.rays * (k + 1) / aims.size() - options.rays * k / aims.size();
-    sets.push_back({std::string(name(aims[k])), size, [rays, aim = aims[k]](std::uint64_t i) { return rays->ray(aim, i); }});
+    sets.push_back(
+        {std::string(name(aims[k])), size, [rays, aim = aims[k]](std::uint64_t i) { return rays->ray(aim, i); }});
   }
   for (const auto& [azimuth, elevation, cell] : options.views) {
     const auto grid = std::make_shared<ShotlineGrid>(mesh, azimuth, elevation, cell);
@@ -67,7 +68,8 @@ std::vector<ScanSet> sets_of(const Options& options, const Mesh& mesh) {
 
 std::string file_name(std::string_view text) {
   std::string safe;
-  for (const char c : text) safe += std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.' ? c : '_';
+  for (const char c : text)
+    safe += std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.' ? c : '_';
   return safe;
 }
 
@@ -83,12 +85,13 @@ Case case_of(const ScanFinding& f, const Options& options) {
   Case found = f.what;
   found.id = to_word(f.signature);
   found.provenance = {
-      fmt::format("{} of {}: severity {:.6g} ulps of the largest coordinate", name(f.signature.verdict), f.tracer->info().name,
-                  f.judgement.ulps),
+      fmt::format("{} of {}: severity {:.6g} ulps of the largest coordinate", name(f.signature.verdict),
+                  f.tracer->info().name, f.judgement.ulps),
       fmt::format("found by scan: {}, seed {}, {}, ray {}", options.mesh, options.seed, f.set->name, f.index),
       "triangles of the mesh:" + places(f.triangles)};
   if (!f.reproduced)
-    found.provenance.push_back("these triangles alone are answered rightly, or wrong in another way: it takes more of the mesh");
+    found.provenance.push_back(
+        "these triangles alone are answered rightly, or wrong in another way: it takes more of the mesh");
   return found;
 }
 
@@ -140,11 +143,11 @@ class Run {
     for (std::size_t t = 0; t < plan_.tracers.size(); ++t)
       fmt::print(stderr, "{}", complaints(plan_.tracers[t]->info().name, result.conduct[t]));
     if (!result.complete)
-      throw std::runtime_error(options_.folder.empty()
-                                   ? "interrupted: this is of the rays done only; with -o DIR it can be taken up"
-                                   : fmt::format("interrupted: this is of the rays done only; the same command takes it "
-                                                 "up in {}",
-                                                 options_.folder));
+      throw std::runtime_error(
+          options_.folder.empty() ? "interrupted: this is of the rays done only; with -o DIR it can be taken up"
+                                  : fmt::format("interrupted: this is of the rays done only; the same command takes it "
+                                                "up in {}",
+                                                options_.folder));
   }
 
  private:
@@ -164,7 +167,8 @@ class Run {
     for (const Tracer* tracer : plan_.tracers) {
       for (const std::string& word : folder_->words(file_name(tracer->info().name))) {
         const Key key = {tracer->info().name, word};
-        const Case found = read_cases((std::filesystem::path(options_.folder) / path_of(key, ".case")).string()).front();
+        const Case found =
+            read_cases((std::filesystem::path(options_.folder) / path_of(key, ".case")).string()).front();
         const BagExamination e = examine_bag(*tracer, found);
         const auto again = signature(e);
         Kept kept{tracer, found, 0, again && to_word(*again) == word, {}};
@@ -209,8 +213,11 @@ class Run {
     TextTable table{{{"tracer"}, {"finding"}, {"severity (ulps)", true}, {"triangles", true}, {"bits", true}}, {}};
     for (const auto& [key, kept] : kept_) {
       const auto& shrunk = kept.shrunk;
-      table.rows.push_back({key.first, key.second, kept.ulps > 0 || kept.reproduced ? fmt::format("{:.4g}", kept.ulps) : "?",
-                            shrunk ? std::to_string(shrunk->what.bag.triangles.size()) : kept.reproduced ? "?" : "many",
+      table.rows.push_back({key.first, key.second,
+                            kept.ulps > 0 || kept.reproduced ? fmt::format("{:.4g}", kept.ulps) : "?",
+                            shrunk            ? std::to_string(shrunk->what.bag.triangles.size())
+                            : kept.reproduced ? "?"
+                                              : "many",
                             shrunk ? std::to_string(shrunk->bits_after) : "-"});
     }
     std::string text = "\nThe worst of each kind, and how few triangles and bits show it:\n" + to_terminal(table);
@@ -227,8 +234,8 @@ class Run {
         if (!first_) first_ = {now, p.rays};
         const double seconds = std::chrono::duration<double>(now - first_->at).count();
         const auto done = static_cast<double>(p.rays - first_->rays), left = static_cast<double>(p.all - p.rays);
-        fmt::print(stderr, "\r\x1b[K{:5.1f} % of {} rays, {} kinds of findings", 100.0 * static_cast<double>(p.rays) / static_cast<double>(p.all),
-                   p.all, kept_.size());
+        fmt::print(stderr, "\r\x1b[K{:5.1f} % of {} rays, {} kinds of findings",
+                   100.0 * static_cast<double>(p.rays) / static_cast<double>(p.all), p.all, kept_.size());
         if (done > 0) fmt::print(stderr, ", about {:.0f} s left", seconds * left / done);
       }
     }
@@ -254,12 +261,14 @@ class Run {
 }  // namespace
 
 void add_scan(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("scan", "Your own mesh: where tracers leak, hit the wrong triangle, or nothing at all");
+  CLI::App* verb =
+      app.add_subcommand("scan", "Your own mesh: where tracers leak, hit the wrong triangle, or nothing at all");
   auto options = std::make_shared<Options>();
   Options& o = *options;
   verb->add_option("MESH", o.mesh, "A mesh: .obj, .ply or .stl")->required();
-  verb->add_option("--tracer", o.tracers,
-                   "Tracer to put to the test, or 'all'; repeatable (default: textbook kernels, BRL-CAD's rules, Embree, exact)")
+  verb->add_option(
+          "--tracer", o.tracers,
+          "Tracer to put to the test, or 'all'; repeatable (default: textbook kernels, BRL-CAD's rules, Embree, exact)")
       ->type_name("NAME");
   add_tracer_timeout(*verb, o.foreign);
   verb->add_option("--rays", o.rays, "Rays in all, shared out evenly among the aims")
@@ -273,35 +282,41 @@ void add_scan(CLI::App& app) {
   verb->add_option("--aim", o.aims, "What rays are aimed at, see below; repeatable (default: all)")
       ->check(CLI::IsMember(std::vector<std::string>(scan_aim_names.begin(), scan_aim_names.end())))
       ->type_name("AIM");
-  verb->add_option("--view", o.views,
-                   "A grid of parallel shotlines: azimuth and elevation in degrees, and the size of a cell; repeatable. Without "
-                   "--aim, only grids are fired")
+  verb->add_option(
+          "--view", o.views,
+          "A grid of parallel shotlines: azimuth and elevation in degrees, and the size of a cell; repeatable. Without "
+          "--aim, only grids are fired")
       ->type_name("AZ EL CELL");
   verb->add_option("--jobs", o.jobs, "Threads; the counts don't depend on them (default: one per core)")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
   verb->add_flag("!--no-shrink", o.shrink, "Leave the findings as they were found");
   add_findings_option(*verb, o.store);
-  verb->add_option("-o", o.folder, "Keep everything in this folder: the table, the CSV, a .case for each finding; the same "
-                                   "command takes up a scan that was cut off")
+  verb->add_option("-o", o.folder,
+                   "Keep everything in this folder: the table, the CSV, a .case for each finding; the same "
+                   "command takes up a scan that was cut off")
       ->type_name("DIR");
   std::string aims = "Aims:\n";
   for (std::size_t k = 0; k < scan_aim_names.size(); ++k)
     aims += fmt::format("  {:<11} {}\n", scan_aim_names[k], scan_aim_summaries[k]);
-  verb->footer(aims +
-               "\nA tracer with a tree of its own (Embree, ODE, VTK, libraries and programs of yours) gets the whole mesh, built\n"
-               "once for each thread. One that looks at each triangle gets it up to 1024 triangles, and beyond that, for each\n"
-               "ray, the triangles whose boxes the ray meets.\n"
-               "Columns: a leak is a miss where something has to be hit by the tracer's contract: inside of a triangle, on an\n"
-               "edge, at a vertex. Through: the nearest is missed, and what lies behind it is hit. Beside: what is hit isn't on\n"
-               "the ray at all, mostly a neighbour. Lost by culling: the tracer hits that triangle if it is asked about it alone,\n"
-               "so that its boxes or its way through them lost it. Worst: severity, see docs/scan.md.\n"
-               "'exact takes' is the time of the exact nearest hit over the tracer's, best measured with --jobs 1.\n\n" +
-               std::string(foreign_tracers_help) +
-               "\nExamples:\n"
-               "  plumbline mesh make sphere --triangles 500000 --jitter 0.001 --precision binary32 -o sphere.ply\n"
-               "  plumbline scan sphere.ply --tracer embree_default --tracer embree_robust -o sphere\n"
-               "  plumbline scan part.stl --view 0 0 0.5 --view 45 30 0.5 --tracer ./libmine.so");
+  verb->footer(
+      aims +
+      "\nA tracer with a tree of its own (Embree, ODE, VTK, libraries and programs of yours) gets the whole mesh, "
+      "built\n"
+      "once for each thread. One that looks at each triangle gets it up to 1024 triangles, and beyond that, for each\n"
+      "ray, the triangles whose boxes the ray meets.\n"
+      "Columns: a leak is a miss where something has to be hit by the tracer's contract: inside of a triangle, on an\n"
+      "edge, at a vertex. Through: the nearest is missed, and what lies behind it is hit. Beside: what is hit isn't "
+      "on\n"
+      "the ray at all, mostly a neighbour. Lost by culling: the tracer hits that triangle if it is asked about it "
+      "alone,\n"
+      "so that its boxes or its way through them lost it. Worst: severity, see docs/scan.md.\n"
+      "'exact takes' is the time of the exact nearest hit over the tracer's, best measured with --jobs 1.\n\n" +
+      std::string(foreign_tracers_help) +
+      "\nExamples:\n"
+      "  plumbline mesh make sphere --triangles 500000 --jitter 0.001 --precision binary32 -o sphere.ply\n"
+      "  plumbline scan sphere.ply --tracer embree_default --tracer embree_robust -o sphere\n"
+      "  plumbline scan part.stl --view 0 0 0.5 --view 45 30 0.5 --tracer ./libmine.so");
   verb->callback([options] { Run(*options).run(); });
 }
 

@@ -41,12 +41,14 @@ ScanState ScanFolder::begin(const ScanPlan& plan) const {
   std::getline(file, first);
   std::getline(file, second);
   if (first != plan_line_)
-    throw InputError(fmt::format("{}: holds a scan of another mesh, seed, number of rays or list of tracers; name a new "
-                                 "folder, or give the same again to take it up",
-                                 path_.string()));
+    throw InputError(
+        fmt::format("{}: holds a scan of another mesh, seed, number of rays or list of tracers; name a new "
+                    "folder, or give the same again to take it up",
+                    path_.string()));
   const auto state = from_line(second, plan);
   if (!state)
-    throw InputError(fmt::format("{}: is damaged; remove it, and the scan begins anew", (path_ / "scan.state").string()));
+    throw InputError(
+        fmt::format("{}: is damaged; remove it, and the scan begins anew", (path_ / "scan.state").string()));
   return *state;
 }
 
@@ -61,9 +63,7 @@ std::vector<std::string> ScanFolder::words(const std::string& tracer) const {
   return list;
 }
 
-void ScanFolder::keep(const ScanState& state) const {
-  write("scan.state", plan_line_ + "\n" + to_line(state) + "\n");
-}
+void ScanFolder::keep(const ScanState& state) const { write("scan.state", plan_line_ + "\n" + to_line(state) + "\n"); }
 
 void ScanFolder::write(const std::filesystem::path& name, const std::string& text) const {
   if (path_.empty()) return;

@@ -1,5 +1,5 @@
-// The floating-point controls that arithmetic with proved bounds asks for: round to nearest, no FTZ or DAZ. Private to the
-// oracle.
+// The floating-point controls that arithmetic with proved bounds asks for: round to nearest, no FTZ or DAZ. Private to
+// the oracle.
 #pragma once
 #include <cfenv>
 

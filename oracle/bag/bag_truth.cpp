@@ -10,9 +10,7 @@
 
 namespace plumbline {
 
-std::size_t BagTruth::nearest() const {
-  return static_cast<std::size_t>(std::ranges::count(hits, 0u, &BagHit::rank));
-}
+std::size_t BagTruth::nearest() const { return static_cast<std::size_t>(std::ranges::count(hits, 0u, &BagHit::rank)); }
 
 std::optional<std::uint32_t> BagTruth::crossings() const {
   if (on_surface) return std::nullopt;

@@ -1,8 +1,8 @@
-// Where a ray meets a bag of triangles, exactly: every triangle that it crosses, in the exact order of t, with exact ties
-// kept as ties; the triangles that it touches without crossing; how often it goes through.
+// Where a ray meets a bag of triangles, exactly: every triangle that it crosses, in the exact order of t, with exact
+// ties kept as ties; the triangles that it touches without crossing; how often it goes through.
 //
-// Triangles are surfaces here; what solids and plates make of it is in segments.h. This file asks every triangle; scene.h
-// is for many of them.
+// Triangles are surfaces here; what solids and plates make of it is in segments.h. This file asks every triangle;
+// scene.h is for many of them.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -38,8 +38,8 @@ struct BagTruth {
 
   /// How many triangles are at the nearest t: hits[0] to hits[nearest() - 1].
   std::size_t nearest() const;
-  /// How often a ray turned aside infinitesimally goes through the bag, within the range: of a closed bag odd if one end
-  /// is inside. No value where the origin lies on the surface.
+  /// How often a ray turned aside infinitesimally goes through the bag, within the range: of a closed bag odd if one
+  /// end is inside. No value where the origin lies on the surface.
   std::optional<std::uint32_t> crossings() const;
   /// The same, out of the bag counted as 1 and into it as -1 (seen from outside, vertices go counter-clockwise).
   std::optional<std::int32_t> signed_crossings() const;

@@ -40,10 +40,11 @@ struct BoxEntry {
   unsigned met;  ///< a bit per child
 };
 
-// The exact parameter of a plane is (b - o) / D. Computed are a difference, an inverse and a product, with D within 2^-53
-// of the direction without its tail: a relative error of at most 4.1 * 2^-53 < 2^-50, and where the product underflows an
-// absolute one of 2^-1074. (A difference that is subnormal is exact; the inverse is within 2^-1000 and 2^1000, or the axis
-// is unusable.) So where entry <= exit exactly, of two computed numbers entry - exit <= 2^-50 (|entry| + |exit|) (1 + 2^-50)
+// The exact parameter of a plane is (b - o) / D. Computed are a difference, an inverse and a product, with D within
+// 2^-53 of the direction without its tail: a relative error of at most 4.1 * 2^-53 < 2^-50, and where the product
+// underflows an absolute one of 2^-1074. (A difference that is subnormal is exact; the inverse is within 2^-1000 and
+// 2^1000, or the axis is unusable.) So where entry <= exit exactly, of two computed numbers entry - exit <= 2^-50
+// (|entry| + |exit|) (1 + 2^-50)
 // + 2^-1073, and twice that covers the roundings below. Infinities, of a bound or a quotient that overflows, make the
 // slack infinite or the difference a NaN, which rejects nothing.
 [[gnu::always_inline]] inline BoxEntry enter(const BoxNode& node, const BoxProbe& probe, double from, double to) {

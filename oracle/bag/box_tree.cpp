@@ -101,7 +101,8 @@ class Builder {
   std::uint32_t split(Range range, int depth) {
     constexpr int deepest_heuristic = 90;  // and 32 halvings more
     if (depth < deepest_heuristic)
-      if (const std::uint32_t middle = split_by_area(range); middle != range.begin && middle != range.end) return middle;
+      if (const std::uint32_t middle = split_by_area(range); middle != range.begin && middle != range.end)
+        return middle;
     return range.begin + range.size() / 2;
   }
 
@@ -161,9 +162,8 @@ class Builder {
     }
     if (best_bin == 0) return range.begin;
     const auto first = tree_.order.begin();
-    const auto middle = std::partition(first + range.begin, first + range.end, [&](std::uint32_t triangle) {
-      return bin_of(triangle, best_axis) < best_bin;
-    });
+    const auto middle = std::partition(first + range.begin, first + range.end,
+                                       [&](std::uint32_t triangle) { return bin_of(triangle, best_axis) < best_bin; });
     return static_cast<std::uint32_t>(middle - first);
   }
 

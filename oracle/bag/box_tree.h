@@ -1,5 +1,5 @@
-// A tree of boxes over triangles, for finding those that a line may meet (box_probe.h). Boxes are rounded outwards, so that
-// none is lost. Private to the oracle.
+// A tree of boxes over triangles, for finding those that a line may meet (box_probe.h). Boxes are rounded outwards, so
+// that none is lost. Private to the oracle.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -24,13 +24,20 @@ using Ends = std::pair<const Vec3*, const Vec3*>;
 Ends ends(const Crossed& x) {
   const auto& [a, b, c] = x.triangle;
   switch (x.truth.feature) {
-    case Feature::none: break;
-    case Feature::ab: return {&a, &b};
-    case Feature::bc: return {&b, &c};
-    case Feature::ca: return {&c, &a};
-    case Feature::a: return {&a, &a};
-    case Feature::b: return {&b, &b};
-    case Feature::c: return {&c, &c};
+    case Feature::none:
+      break;
+    case Feature::ab:
+      return {&a, &b};
+    case Feature::bc:
+      return {&b, &c};
+    case Feature::ca:
+      return {&c, &a};
+    case Feature::a:
+      return {&a, &a};
+    case Feature::b:
+      return {&b, &b};
+    case Feature::c:
+      return {&c, &c};
   }
   return {nullptr, nullptr};
 }
@@ -50,9 +57,9 @@ bool at_shared_feature(const Crossed& x, const Crossed& y) {
 
 }  // namespace
 
-// With the filter's bounds (batch_kernel.h: u = 2^-53, mD, ma, me the largest components of D, of the computed a, and of
-// the computed e1 and e2, each between 2^-300 and 2^300): |T~ - T| <= eT = 2^-46 ma me^2, |det~ - det| <= ed = 2^-46 mD me^2.
-// A tail of D is at most u |D| and adds 6 u mD me^2 to det's 42 u, less than the bound's 128 u. So
+// With the filter's bounds (batch_kernel.h: u = 2^-53, mD, ma, me the largest components of D, of the computed a, and
+// of the computed e1 and e2, each between 2^-300 and 2^300): |T~ - T| <= eT = 2^-46 ma me^2, |det~ - det| <= ed = 2^-46
+// mD me^2. A tail of D is at most u |D| and adds 6 u mD me^2 to det's 42 u, less than the bound's 128 u. So
 //   |t - T~/det~| = |(T - T~) det~ - T~ (det - det~)| / |det det~| <= (eT + |T~/det~| ed) / (|det~| - ed).
 // Where |det~| >= 2 ed and 2^-900 < |t~| < 2^900, no operation below over- or underflows (eT, ed > 2^-947), each of at
 // most six rounds by a relative 2^-53, and t~ = T~/det~ (1 + u): 1 + 2^-4 and 2^-52 |t~| more than cover that.

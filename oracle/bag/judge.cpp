@@ -263,8 +263,8 @@ class Judge {
     const Triangle &p = q_.triangles[first], &q = q_.triangles[second];
     const Quotient s = ExactCase(p, q_.query).t(), t = ExactCase(q, q_.query).t();
     const double largest = largest_magnitude(q_.query.ray.origin, p.a, p.b, p.c, q.a, q.b, q.c);
-    return stretch({t.numerator * s.denominator - s.numerator * t.denominator, s.denominator * t.denominator},
-                   largest, BagVerdict::wrong_order);
+    return stretch({t.numerator * s.denominator - s.numerator * t.denominator, s.denominator * t.denominator}, largest,
+                   BagVerdict::wrong_order);
   }
 
   BagJudgement stretch(const Quotient& t, double largest, BagVerdict verdict) const {
@@ -293,13 +293,20 @@ std::optional<BagVerdict> settled(const BagQuestion& q, std::span<const Answer> 
 
 VerdictKind verdict_kind(BagVerdict verdict) {
   switch (verdict) {
-    case BagVerdict::correct: return VerdictKind::correct;
-    case BagVerdict::leak: return VerdictKind::leak;
-    case BagVerdict::false_hit: return VerdictKind::false_hit;
-    case BagVerdict::wrong_nearest: return VerdictKind::wrong_nearest;
-    case BagVerdict::unspecified: return VerdictKind::unspecified;
-    case BagVerdict::fault: return VerdictKind::fault;
-    default: throw std::logic_error("no verdict on what is hit first: " + std::string(name(verdict)));
+    case BagVerdict::correct:
+      return VerdictKind::correct;
+    case BagVerdict::leak:
+      return VerdictKind::leak;
+    case BagVerdict::false_hit:
+      return VerdictKind::false_hit;
+    case BagVerdict::wrong_nearest:
+      return VerdictKind::wrong_nearest;
+    case BagVerdict::unspecified:
+      return VerdictKind::unspecified;
+    case BagVerdict::fault:
+      return VerdictKind::fault;
+    default:
+      throw std::logic_error("no verdict on what is hit first: " + std::string(name(verdict)));
   }
 }
 

@@ -29,10 +29,10 @@ namespace plumbline {
 
 enum class BagVerdict : unsigned char {
   correct,
-  leak,           ///< a point that must be hit, and none of its triangles is: by the greatest severity of missing one
-  false_hit,      ///< a hit where none must be: by the greatest severity of a hit that isn't there
-  wrong_nearest,  ///< a hit must be, but of others: by the way along the ray to the one reported, if the ray crosses
-                  ///< it; else by the severity of hitting it
+  leak,             ///< a point that must be hit, and none of its triangles is: by the greatest severity of missing one
+  false_hit,        ///< a hit where none must be: by the greatest severity of a hit that isn't there
+  wrong_nearest,    ///< a hit must be, but of others: by the way along the ray to the one reported, if the ray crosses
+                    ///< it; else by the severity of hitting it
   double_hit,       ///< more hits than triangles crossed, or than owners: by the greatest severity of one too many
   wrong_order,      ///< t of two hits the wrong way round: by their exact distance along the ray
   wrong_parity,     ///< of a closed bag: by the greatest severity of a triangle's answer that is wrong

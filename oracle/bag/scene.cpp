@@ -18,7 +18,8 @@ namespace {
 
 // Leaves by and large in the order in which the line enters them. `to` may come nearer meanwhile.
 template <class Visit>
-[[gnu::always_inline]] inline void visit_leaves(const BoxTree& tree, const Query& query, const double& to, Visit visit) {
+[[gnu::always_inline]] inline void visit_leaves(const BoxTree& tree, const Query& query, const double& to,
+                                                Visit visit) {
   struct Waiting {
     std::uint32_t node;
     double near;

@@ -53,7 +53,7 @@ class Scene {
   void nearest(const Query& query, std::vector<NearestHits::Owner>& owners) const;
 
   BoxTree tree_;
-  std::vector<Triangle> triangles_;     // in the order of the tree
+  std::vector<Triangle> triangles_;      // in the order of the tree
   std::vector<std::uint32_t> position_;  // where in it a triangle is
 };
 

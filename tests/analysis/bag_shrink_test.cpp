@@ -25,9 +25,7 @@ Case sheet(int n, double x, double y) {
   return what;
 }
 
-TEST(BagShrink, LeavesWhatIsRight) {
-  EXPECT_FALSE(shrink_bag(sheet(2, 0.1, 0.1), find_tracer("exact")));
-}
+TEST(BagShrink, LeavesWhatIsRight) { EXPECT_FALSE(shrink_bag(sheet(2, 0.1, 0.1), find_tracer("exact"))); }
 
 TEST(BagShrink, FindsTheOneTriangleAndItsPlainForm) {
   const Faulty blind([](std::vector<Met>& met, std::size_t) { met.clear(); });

@@ -142,9 +142,8 @@ TEST(Scan, TellsPlantedFaults) {
   }
 
   // A triangle test that misses: told with the triangles that the ray meets.
-  const Faulty tests([](std::vector<Met>& met, std::size_t) {
-    std::erase_if(met, [](const Met& m) { return m.t < 0.75; });
-  });
+  const Faulty tests(
+      [](std::vector<Met>& met, std::size_t) { std::erase_if(met, [](const Met& m) { return m.t < 0.75; }); });
   const Scanned missed(sphere(1280), {&tests}, 200);
   EXPECT_EQ(missed.sum(0).culled, 0u);
   EXPECT_GT(missed.sum(0)[BagVerdict::leak], 0u);
@@ -187,7 +186,8 @@ TEST(ScanRays, AreAFunctionOfSeedAimAndIndex) {
     EXPECT_NE(rays.ray(aim, 5), other.ray(aim, 5));
     for (std::uint64_t i = 0; i < 100; ++i) {
       const Ray ray = rays.ray(aim, i);
-      for (const double x : {ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z})
+      for (const double x :
+           {ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z})
         ASSERT_TRUE(is_binary32(x));
     }
   }
@@ -212,7 +212,8 @@ TEST(ScanRays, MeetWhatTheyAreAimedAt) {
 TEST(ShotlineGrid, CoversTheMeshFromInFront) {
   const Mesh mesh = sphere(320);
   const Scene scene(to_bag(mesh).triangles);
-  for (const auto& [azimuth, elevation] : {std::pair(0.0, 0.0), {90.0, 0.0}, {-90.0, 0.0}, {180.0, 90.0}, {30.0, 60.0}}) {
+  for (const auto& [azimuth, elevation] :
+       {std::pair(0.0, 0.0), {90.0, 0.0}, {-90.0, 0.0}, {180.0, 90.0}, {30.0, 60.0}}) {
     const ShotlineGrid grid(mesh, azimuth, elevation, 0.125);
     EXPECT_GE(grid.size(), 15u * 15u);
     EXPECT_LE(grid.size(), 17u * 17u);
@@ -230,7 +231,8 @@ TEST(ShotlineGrid, CoversTheMeshFromInFront) {
 
 TEST(ShotlineGrid, RefusesCellsThatMakeNoGrid) {
   const Mesh mesh = sphere(80);
-  for (const double cell : {0.0, -1.0, double{NAN}, double{INFINITY}, 1e-9}) EXPECT_THROW(ShotlineGrid(mesh, 0, 0, cell), InputError);
+  for (const double cell : {0.0, -1.0, double{NAN}, double{INFINITY}, 1e-9})
+    EXPECT_THROW(ShotlineGrid(mesh, 0, 0, cell), InputError);
 }
 
 }  // namespace

@@ -40,8 +40,8 @@ std::optional<Interval> common(const Point& o, const Vector& d, const Point& a, 
   }
   const Kernel::Segment_3 sides[] = {{a, b}, {b, c}, {c, a}};
   return common(o, d, *std::max_element(std::begin(sides), std::end(sides), [](const auto& x, const auto& y) {
-    return x.squared_length() < y.squared_length();
-  }));
+                  return x.squared_length() < y.squared_length();
+                }));
 }
 
 }  // namespace

@@ -126,10 +126,10 @@ TEST(BagTruth, OwnsNoneOrBothOfASilhouetteEdge) {
 }
 
 TEST(BagTruth, ListsWhatItOnlyTouches) {
-  const std::vector<Triangle> bag = {{{1, -1, 0}, {3, -1, 0}, {2, 2, 0}},   // in its plane
-                                     {{5, 0, 0}, {5, 0, 0}, {5, 0, 0}},     // a point on it
-                                     {{0, 0, 0}, {8, 0, 0}, {4, 0, 0}},     // a segment along it
-                                     {{0, 1, 0}, {1, 1, 0}, {0, 1, 1}}};    // beside it
+  const std::vector<Triangle> bag = {{{1, -1, 0}, {3, -1, 0}, {2, 2, 0}},  // in its plane
+                                     {{5, 0, 0}, {5, 0, 0}, {5, 0, 0}},    // a point on it
+                                     {{0, 0, 0}, {8, 0, 0}, {4, 0, 0}},    // a segment along it
+                                     {{0, 1, 0}, {1, 1, 0}, {0, 1, 1}}};   // beside it
   const BagTruth truth = bag_truth(bag, Ray{.origin = {}, .direction = {2, 0, 0}, .t_min = 0, .t_max = 3});
   EXPECT_TRUE(truth.hits.empty());
   ASSERT_EQ(truth.stretches.size(), 3u);
@@ -169,11 +169,11 @@ TEST(BagTruth, SaysWhatIsInvalid) {
 
 TEST(WindingNumber, OfABox) {
   const auto bag = box({-1, -1, -1}, {1, 1, 1});
-  EXPECT_EQ(winding_number(bag, {0, 0, 0}), 1);          // through the diagonal of a face
+  EXPECT_EQ(winding_number(bag, {0, 0, 0}), 1);  // through the diagonal of a face
   EXPECT_EQ(winding_number(bag, {0.25, 0.5, 0.25}), 1);
   EXPECT_EQ(winding_number(bag, {-3, 0, 0}), 0);
-  EXPECT_EQ(winding_number(bag, {-3, 1, 1}), 0);         // along an edge
-  EXPECT_EQ(winding_number(bag, {-3, 1, 0}), 0);         // in the plane of a face
+  EXPECT_EQ(winding_number(bag, {-3, 1, 1}), 0);  // along an edge
+  EXPECT_EQ(winding_number(bag, {-3, 1, 0}), 0);  // in the plane of a face
   EXPECT_EQ(winding_number(bag, {-3, -1, -1}), 0);
   EXPECT_EQ(winding_number(bag, {1, 0, 0}), std::nullopt);
   EXPECT_EQ(winding_number(bag, {1, 1, 1}), std::nullopt);

@@ -338,8 +338,7 @@ TEST(BagJudge, TruthIsRight) {
                     answers.push_back(hit(h.triangle, h.t));
                 const BagVerdict all = judge_hits(question, answers).verdict;
                 EXPECT_TRUE(all == BagVerdict::correct || all == BagVerdict::unspecified) << name(all);
-                const BagVerdict first =
-                    judge_nearest(question, answers.empty() ? Answer{} : answers.front()).verdict;
+                const BagVerdict first = judge_nearest(question, answers.empty() ? Answer{} : answers.front()).verdict;
                 EXPECT_TRUE(first == BagVerdict::correct || first == BagVerdict::unspecified) << name(first);
                 EXPECT_VERDICT(judge_order(question, answers), correct);
                 const BagVerdict parity = bag.closed ? judge_parity(question, answers).verdict : BagVerdict::correct;

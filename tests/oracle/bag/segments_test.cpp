@@ -18,9 +18,9 @@ Ray along_x(double y, double z) { return {.origin = {-3, y, z}, .direction = {1,
 TEST(Inside, OfABox) {
   const auto bag = box({-1, -1, -1}, {1, 1, 1});
   EXPECT_EQ(inside(bag, along_x(0.5, 0.25)), (Segments{{2, 4}}));
-  EXPECT_EQ(inside(bag, along_x(0, 0)), (Segments{{2, 4}}));    // diagonals
+  EXPECT_EQ(inside(bag, along_x(0, 0)), (Segments{{2, 4}}));  // diagonals
   EXPECT_EQ(inside(bag, along_x(2, 0)), Segments{});
-  EXPECT_EQ(inside(bag, Ray{.origin = {-3, -1, 0}, .direction = {1, 1, 0}}), Segments{});  // touches an edge
+  EXPECT_EQ(inside(bag, Ray{.origin = {-3, -1, 0}, .direction = {1, 1, 0}}), Segments{});           // touches an edge
   EXPECT_EQ(inside(bag, Ray{.origin = {-2, -2, -2}, .direction = {1, 1, 1}}), (Segments{{1, 3}}));  // vertices
 }
 
