@@ -43,24 +43,17 @@ BagExamination examine_bag(const Tracer& tracer, const Case& asked) {
   e.judgement = judge_nearest({e.put.bag.triangles, e.query, e.truth, contract}, e.answer);
   const bool lost = e.judgement.verdict == BagVerdict::leak || e.judgement.verdict == BagVerdict::wrong_nearest;
   if (lost && e.put.bag.triangles.size() > 1)
-    e.culling = lost_by_culling(e.judgement.verdict, e.truth, e.answer, hits_alone(tracer, e.put, e.truth));
+    e.culling = lost_by_culling(e.judgement, e.truth, e.answer, hits_alone(tracer, e.put, e.truth));
   return e;
-}
-
-HitClass nearest_class(const BagTruth& truth) {
-  HitClass least = HitClass::exterior;
-  for (std::size_t i = 0; i < truth.nearest(); ++i) least = std::min(least, truth.hits[i].truth.hit_class);
-  return least;
 }
 
 std::optional<BagSignature> signature(const BagExamination& e) {
   if (!e.wrong()) return std::nullopt;
-  return signature(e.judgement, e.truth, e.answer, e.culling);
+  return signature(e.judgement, e.culling);
 }
 
-BagSignature signature(const BagJudgement& judgement, const BagTruth& truth, const Answer& answer, bool culling) {
-  const bool crossed = std::ranges::count(truth.hits, answer.triangle, &BagHit::triangle) != 0;
-  return {judgement.verdict, nearest_class(truth), culling, judgement.verdict == BagVerdict::wrong_nearest && crossed};
+BagSignature signature(const BagJudgement& judgement, bool culling) {
+  return {judgement.verdict, judgement.due, culling, judgement.behind};
 }
 
 std::string to_word(const BagSignature& s) {

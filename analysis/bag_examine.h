@@ -45,15 +45,12 @@ struct BagSignature {
 };
 
 /// Of a judgement that is wrong.
-BagSignature signature(const BagJudgement& judgement, const BagTruth& truth, const Answer& answer, bool culling);
+BagSignature signature(const BagJudgement& judgement, bool culling);
 
 /// No value where there is nothing to find.
 std::optional<BagSignature> signature(const BagExamination& examination);
 
 /// One word: "leak-edge-culling", "wrong-nearest-interior-through", "false-hit".
 std::string to_word(const BagSignature& signature);
-
-/// Of the nearest hits of a truth; exterior where there are none.
-HitClass nearest_class(const BagTruth& truth);
 
 }  // namespace plumbline

@@ -205,16 +205,21 @@ class Worker {
       if (tracer.info().own_queries) own_.push_back(bag->asked(put_[i]));
       conduct_[t] += bag->take_conduct();
       Answer& answer = answers_[i];
-      if (answer.outcome == Outcome::hit && answer.triangle < met_.size()) answer.triangle = met_[answer.triangle];
+      // A triangle that isn't there is none of the mesh's either.
+      if (answer.outcome == Outcome::hit)
+        answer.triangle = answer.triangle < met_.size() ? met_[answer.triangle] : ~std::uint32_t{0};
     }
   }
 
   // The common answers, without more than the nearest hits; the rest by judge_nearest.
-  static std::optional<BagVerdict> plain_verdict(const Contract& contract, std::span<const NearestHits::Owner> owners,
-                                                 const Answer& answer) {
+  static std::optional<BagVerdict> plain_verdict(const Contract& contract, const Query& query,
+                                                 std::span<const NearestHits::Owner> owners, const Answer& answer) {
     if (answer.outcome == Outcome::fault) return BagVerdict::fault;
-    if (contract.culling != Culling::none || contract.coplanar == TouchRule::hit ||
-        contract.degenerate == TouchRule::hit)
+    // What is only touched is none of the owners, and may be on the way.
+    const bool touch_counts = contract.coplanar != TouchRule::miss || contract.degenerate != TouchRule::miss;
+    if (contract.culling != Culling::none || query.ray.direction == Vec3{}) return std::nullopt;
+    if (touch_counts &&
+        (owners.empty() || contract.coplanar == TouchRule::hit || contract.degenerate == TouchRule::hit))
       return std::nullopt;
     if (owners.empty()) return answer.outcome == Outcome::miss ? std::optional(BagVerdict::correct) : std::nullopt;
     if (answer.outcome != Outcome::hit || !answer.has_t) return std::nullopt;
@@ -228,7 +233,7 @@ class Worker {
              std::span<const NearestHits::Owner> owners, BlockResult& result) {
     const Contract& contract = plan_.tracers[t]->info().contract;
     ScanTally& tally = result.tallies[t];
-    if (const auto plain = plain_verdict(contract, owners, answers_[i])) {
+    if (const auto plain = plain_verdict(contract, query, owners, answers_[i])) {
       ++tally.verdicts[static_cast<std::size_t>(*plain)];
       return;
     }
@@ -238,9 +243,8 @@ class Worker {
     ++tally.verdicts[static_cast<std::size_t>(judged.verdict)];
     const bool lost = judged.verdict == BagVerdict::leak || judged.verdict == BagVerdict::wrong_nearest;
     if (!lost && judged.verdict != BagVerdict::false_hit) return;
-    const bool culling =
-        lost && asked_whole(t) && lost_by_culling(judged.verdict, truth, answers_[i], hits_alone(t, i, truth));
-    const BagSignature signature = plumbline::signature(judged, truth, answers_[i], culling);
+    const bool culling = lost && asked_whole(t) && lost_by_culling(judged, truth, answers_[i], hits_alone(t, i, truth));
+    const BagSignature signature = plumbline::signature(judged, culling);
     if (judged.verdict == BagVerdict::leak) ++tally.leaks[std::min<std::size_t>(index_of(signature.where), 2)];
     tally.through += signature.through;
     tally.culled += culling;

@@ -261,7 +261,7 @@ class Worker {
     add(score.bag_leaks, all, by_contract, BagVerdict::leak);
     add(score.nearest, all, by_contract, BagVerdict::wrong_nearest);
     add(score.false_hits, all, by_contract, BagVerdict::false_hit);
-    const bool culled = !apart && lost_by_culling(all.verdict, question.truth, whole, alone);
+    const bool culled = !apart && lost_by_culling(all, question.truth, whole, alone);
     (all.verdict == BagVerdict::leak ? score.culled_leaks : score.culled_nearest) += culled;
   }
 

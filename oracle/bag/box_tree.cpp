@@ -122,8 +122,8 @@ class Builder {
     std::size_t best_axis = 0, best_bin = 0;
     std::array<double, 3> scale;
     const auto bin_of = [&](std::uint32_t triangle, std::size_t axis) {
-      const auto bin = static_cast<std::size_t>((boxes_[triangle].centre(axis) - least[axis]) * scale[axis]);
-      return std::min(bin, bins - 1);
+      const double bin = (boxes_[triangle].centre(axis) - least[axis]) * scale[axis];
+      return bin < bins ? static_cast<std::size_t>(bin) : bins - 1;  // a centre of infinite bounds is no number
     };
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double extent = most[axis] - least[axis];

@@ -57,16 +57,18 @@ class Judge {
   }
 
   BagJudgement nearest(const Answer& answer) const {
-    if (answer.outcome == Outcome::hit) return answer.has_t ? nearest_hit(answer.triangle) : some_hit();
-    const auto it = std::ranges::find(must_, true);
-    if (it != must_.end()) return missed(groups_[static_cast<std::size_t>(it - must_.begin())]);
-    return {std::ranges::any_of(q_.truth.stretches, [&](const Stretch& s) { return must(s); }) ? BagVerdict::leak
-                                                                                               : quiet()};
+    BagJudgement judged = answer.outcome != Outcome::hit ? nothing_hit()
+                          : answer.has_t                 ? nearest_hit(answer.triangle)
+                                                         : some_hit();
+    if (const Group* due = first_due()) {
+      for (const BagHit& hit : *due) judged.due = std::min(judged.due, hit.truth.hit_class);
+      judged.due_rank = due->front().rank;
+    }
+    return judged;
   }
 
   BagJudgement hits(std::span<const Answer> hits) const {
-    const bool any_must = std::ranges::count(must_, true) != 0 ||
-                          std::ranges::any_of(q_.truth.stretches, [&](const Stretch& s) { return must(s); });
+    const bool any_must = any_due();
     BagJudgement worst_false, lost;
     std::size_t false_hits = 0;
     for (const Answer& hit : hits) {
@@ -97,7 +99,8 @@ class Judge {
       return worst_false;
     }
     if (leaks) return lost;
-    if (shares) return {BagVerdict::double_hit};
+    const auto twice = [&](const Answer& hit) { return std::ranges::count(hits, hit.triangle, &Answer::triangle) > 1; };
+    if (shares || std::ranges::any_of(hits, twice)) return {BagVerdict::double_hit};
     return {any_must ? BagVerdict::correct : quiet()};
   }
 
@@ -202,36 +205,57 @@ class Judge {
     return met || touched ? BagVerdict::unspecified : BagVerdict::correct;
   }
 
-  BagJudgement nearest_hit(std::uint32_t triangle) const {
+  // The nearest point crossed that must be hit.
+  const Group* first_due() const {
     const auto it = std::ranges::find(must_, true);
+    return it == must_.end() ? nullptr : &groups_[static_cast<std::size_t>(it - must_.begin())];
+  }
+
+  bool any_due() const {
+    return first_due() || std::ranges::any_of(q_.truth.stretches, [&](const Stretch& s) { return must(s); });
+  }
+
+  BagJudgement nothing_hit() const {
+    if (const Group* due = first_due()) return missed(*due);
+    return {any_due() ? BagVerdict::leak : quiet()};
+  }
+
+  BagJudgement nearest_hit(std::uint32_t triangle) const {
     const VerdictKind here = claim(triangle);
-    if (it == must_.end()) {
-      if (here == VerdictKind::correct) return {};
-      if (here == VerdictKind::unspecified) return {BagVerdict::unspecified};
-      BagJudgement wrong = one_wrong(triangle, true);
-      wrong.verdict = BagVerdict::false_hit;
-      return wrong;
-    }
-    const Group& due = groups_[static_cast<std::size_t>(it - must_.begin())];
-    if (std::ranges::count(due, triangle, &BagHit::triangle) != 0) return {};
     if (here == VerdictKind::false_hit) {
       BagJudgement wrong = one_wrong(triangle, true);
-      wrong.verdict = BagVerdict::wrong_nearest;
+      wrong.verdict = any_due() ? BagVerdict::wrong_nearest : BagVerdict::false_hit;
       return wrong;
     }
-    const ExactCase reported(q_.triangles[triangle], q_.query);
-    if (reported.det.sign() == 0) return {BagVerdict::unspecified};  // touched, and maybe on the way
-    const ExactCase first(q_.triangles[due.front().triangle], q_.query);
-    if (reported.t() > first.t()) {
-      BagJudgement wrong = apart(due.front().triangle, triangle);
-      wrong.verdict = BagVerdict::wrong_nearest;
-      return wrong;
-    }
-    return {here == VerdictKind::correct ? BagVerdict::correct : BagVerdict::unspecified};
+    const BagJudgement fine{here == VerdictKind::correct ? BagVerdict::correct : BagVerdict::unspecified};
+    const BagHit* crossed = met(triangle);
+    const auto touched = std::ranges::find(q_.truth.stretches, triangle, &Stretch::triangle);
+    // What is only touched is surely missed if it ends before this begins: rounding keeps order.
+    const double begins = crossed ? crossed->t : touched != q_.truth.stretches.end() ? touched->low : -infinity;
+    for (const Stretch& s : q_.truth.stretches)
+      if (s.high < begins && must(s)) return behind(piece(s.high, begins));
+    const Group* due = first_due();
+    if (!due) return fine;
+    if (std::ranges::count(*due, triangle, &BagHit::triangle) != 0) return {};
+    if (crossed) return crossed->rank > due->front().rank ? behind(apart(due->front().triangle, triangle)) : fine;
+    if (touched != q_.truth.stretches.end())
+      return due->front().t < begins ? behind(piece(due->front().t, begins)) : fine;
+    // Passed by, within the slack.
+    const ExactCase reported(q_.triangles[triangle], q_.query), first(q_.triangles[due->front().triangle], q_.query);
+    if (reported.det.sign() == 0 || !(reported.t() > first.t())) return fine;
+    BagJudgement wrong = apart(due->front().triangle, triangle);
+    wrong.verdict = BagVerdict::wrong_nearest;
+    return wrong;
+  }
+
+  static BagJudgement behind(BagJudgement wrong) {
+    wrong.verdict = BagVerdict::wrong_nearest;
+    wrong.behind = true;
+    return wrong;
   }
 
   BagJudgement some_hit() const {
-    if (std::ranges::count(must_, true) != 0) return {};
+    if (any_due()) return {};
     BagJudgement least{BagVerdict::false_hit, infinity, infinity};
     for (std::uint32_t i = 0; i < q_.triangles.size(); ++i) {
       const VerdictKind here = claim(i);
@@ -366,15 +390,15 @@ BagJudgement judge_segments(const BagQuestion& question, std::span<const RaySegm
   return worst;
 }
 
-bool lost_by_culling(BagVerdict verdict, const BagTruth& truth, const Answer& answer,
+bool lost_by_culling(const BagJudgement& judgement, const BagTruth& truth, const Answer& answer,
                      std::span<const Answer> hits_alone) {
   const DefaultControls controls;
-  const bool leak = verdict == BagVerdict::leak;
-  if (!leak && verdict != BagVerdict::wrong_nearest) return false;
-  const auto due = std::span(truth.hits).first(leak ? truth.hits.size() : truth.nearest());
+  const bool leak = judgement.verdict == BagVerdict::leak;
+  if (!leak && judgement.verdict != BagVerdict::wrong_nearest) return false;
   return std::ranges::any_of(hits_alone, [&](const Answer& alone) {
-    return std::ranges::count(due, alone.triangle, &BagHit::triangle) != 0 &&
-           (leak || (alone.has_t && answer.has_t && alone.t < answer.t));
+    const auto crossed = std::ranges::find(truth.hits, alone.triangle, &BagHit::triangle);
+    if (crossed == truth.hits.end()) return false;
+    return leak || (crossed->rank == judgement.due_rank && alone.has_t && answer.has_t && alone.t < answer.t);
   });
 }
 

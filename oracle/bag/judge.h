@@ -51,6 +51,11 @@ VerdictKind verdict_kind(BagVerdict verdict);
 struct BagJudgement {
   BagVerdict verdict = BagVerdict::correct;
   double length = 0, ulps = 0;  ///< the severity
+  // Of judge_nearest:
+  HitClass due = HitClass::exterior;  ///< of the first point that must be hit: the least exceptional class of its
+                                      ///< triangles; exterior: there is none
+  std::uint32_t due_rank = 0;         ///< and its rank, where there is one
+  bool behind = false;                ///< wrong_nearest: the ray does meet what is reported, behind that point
 };
 
 /// What was really asked. `truth` is that of the triangles and the query, whose range is the one searched
@@ -88,8 +93,8 @@ BagJudgement judge_segments(const BagQuestion& question, std::span<const RaySegm
 
 /// Of a leak or a wrong nearest hit of the whole bag: whether it was lost on the way, in boxes and traversal, and not
 /// by the triangle test. It was if the tracer, asked with one of the triangles crossed alone, hits it (wrong nearest:
-/// with one of the nearest, and nearer than what it reported, by its own t).
-bool lost_by_culling(BagVerdict verdict, const BagTruth& truth, const Answer& answer,
+/// with one of those that were due, and nearer than what it reported, by its own t).
+bool lost_by_culling(const BagJudgement& judgement, const BagTruth& truth, const Answer& answer,
                      std::span<const Answer> hits_alone);
 
 }  // namespace plumbline

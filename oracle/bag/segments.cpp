@@ -38,6 +38,7 @@ double rounded_with_root(const Dyadic& p, const Dyadic& k, const Dyadic& q, cons
 }  // namespace
 
 std::optional<std::vector<RaySegment>> inside(std::span<const Triangle> triangles, const Query& query) {
+  const DefaultControls controls;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double t_min = query.ray.t_min, t_max = query.ray.t_max;
   Query line = query;  // from without to without
@@ -55,9 +56,11 @@ std::optional<std::vector<RaySegment>> inside(std::span<const Triangle> triangle
       entry = &hit;
       continue;
     }
-    // Rounding keeps order, so the cut may be made after it.
-    const RaySegment piece = {std::max(entry->t, t_min), std::min(hit.t, t_max)};
-    if (entry->rank != hit.rank && piece.in <= piece.out) pieces.push_back(piece);
+    // Whether a length is left is told exactly; rounding keeps order, so the cut may be made after it.
+    const bool some = t_min < t_max && entry->rank != hit.rank &&
+                      classify(triangles[entry->triangle], query).versus_t_max < 0 &&
+                      classify(triangles[hit.triangle], query).versus_t_min > 0;
+    if (some) pieces.push_back({std::max(entry->t, t_min), std::min(hit.t, t_max)});
     entry = nullptr;
   }
   return pieces;

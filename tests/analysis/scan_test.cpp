@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "analysis/scan_rays.h"
 #include "analysis/scan_table.h"
@@ -10,6 +11,7 @@
 #include "case/input_error.h"
 #include "mesh/sphere.h"
 #include "oracle/bag/scene.h"
+#include "oracle/judge.h"
 #include "tests/analysis/faulty_tracer.h"
 
 namespace plumbline {
@@ -165,6 +167,61 @@ TEST(Scan, TellsPlantedFaults) {
     for (const ScanTruth& truth : seen.result.state.truths) nothing += truth.nearest[3];
     return nothing;
   }());
+}
+
+// The short way to a verdict is the long one's, whatever is promised.
+TEST(Scan, JudgesAsABagIsJudged) {
+  Mesh mesh;
+  mesh.precision = Precision::binary32;
+  for (int x = 0; x < 3; ++x)
+    for (int y = 0; y < 3; ++y)
+      for (int z = 0; z < 2; ++z) mesh.vertices.push_back({double(x), double(y), double(z)});
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 40; ++i) {
+    const auto corner = [&] { return static_cast<std::uint32_t>(random() % mesh.vertices.size()); };
+    mesh.triangles.push_back({corner(), corner(), corner()});  // some without area
+  }
+  std::vector<Ray> rays;
+  for (int i = 0; i < 400; ++i) {
+    const auto number = [&] { return static_cast<double>(random() % 7) - 3; };
+    rays.push_back({.origin = {number(), number(), number()}, .direction = {number(), number(), number()}});
+  }
+  Bag bag = to_bag(mesh);
+  for (unsigned k = 0; k < 27 * 3; ++k) {
+    Contract c{.precision = Precision::binary32};
+    c.coplanar = static_cast<TouchRule>(k % 3);
+    c.degenerate = static_cast<TouchRule>(k / 3 % 3);
+    c.edges = k / 9 % 3 == 0 ? EdgeRule::closed : k / 9 % 3 == 1 ? EdgeRule::unspecified : EdgeRule::open;
+    c.culling = static_cast<Culling>(k / 27);
+    // Right, or the second, or nothing, by turns.
+    int turn = 0;
+    const Faulty tracer(
+        [&turn](std::vector<Met>& met, std::size_t) {
+          ++turn;
+          if (turn % 3 == 1 && !met.empty()) met.erase(met.begin());
+          if (turn % 3 == 2) met.clear();
+        },
+        c);
+    ScanPlan plan;
+    plan.mesh = &mesh;
+    plan.sets = {{"rays", rays.size(), [&](std::uint64_t i) { return rays[i]; }}};
+    plan.tracers = {&tracer};
+    const ScanResult result = scan(plan, blank(plan), false, {});
+    ScanTally expected;
+    turn = 0;
+    for (const Ray& ray : rays) {
+      Case what;
+      what.precision = Precision::binary32;
+      what.bag = bag;
+      what.ray = ray;
+      const Query query = searched_ray(ray, c);
+      const BagTruth truth = bag_truth(bag.triangles, query);
+      Answer answer;
+      tracer.prepare(bag)->trace({&ray, 1}, {&answer, 1});
+      ++expected.verdicts[static_cast<std::size_t>(judge_nearest({bag.triangles, query, truth, c}, answer).verdict)];
+    }
+    EXPECT_EQ(result.state.tallies[0][0].verdicts, expected.verdicts) << "contract " << k;
+  }
 }
 
 TEST(Scan, PutsABinary32TracerARoundedMesh) {

@@ -154,7 +154,7 @@ TEST(WindingNumber, IsThatAlongAnotherRay) {
       surface += !expected;
       // Inside and outside by parity, from the pieces of the ray along another axis.
       if (!expected) continue;
-      const auto pieces = inside(bag, Ray{.origin = p, .direction = {0, 0, 1}, .t_min = 0, .t_max = 0});
+      const auto pieces = inside(bag, Ray{.origin = p, .direction = {0, 0, 1}, .t_min = 0, .t_max = 0x1p-20});
       ASSERT_TRUE(pieces);
       ASSERT_EQ(pieces->size(), static_cast<std::size_t>(*expected & 1)) << "bag " << i << " point " << k;
     }

@@ -286,16 +286,16 @@ TEST(BagJudge, Segments) {
 
 TEST(BagJudge, WhatCullingLost) {
   const BagTruth truth = Asked(two_squares, down(0.25, 0.25)).truth;
-  EXPECT_TRUE(lost_by_culling(BagVerdict::leak, truth, {}, hits({2})));
-  EXPECT_FALSE(lost_by_culling(BagVerdict::leak, truth, {}, hits({1})));
-  EXPECT_FALSE(lost_by_culling(BagVerdict::leak, truth, {}, {}));
-  EXPECT_FALSE(lost_by_culling(BagVerdict::correct, truth, hit(0), hits({0})));
+  EXPECT_TRUE(lost_by_culling({BagVerdict::leak}, truth, {}, hits({2})));
+  EXPECT_FALSE(lost_by_culling({BagVerdict::leak}, truth, {}, hits({1})));
+  EXPECT_FALSE(lost_by_culling({BagVerdict::leak}, truth, {}, {}));
+  EXPECT_FALSE(lost_by_culling({BagVerdict::correct}, truth, hit(0), hits({0})));
   const auto nearest = [&](double alone) {
-    return lost_by_culling(BagVerdict::wrong_nearest, truth, hit(2, 2), std::vector{hit(0, alone), hit(2, 2)});
+    return lost_by_culling({BagVerdict::wrong_nearest}, truth, hit(2, 2), std::vector{hit(0, alone), hit(2, 2)});
   };
   EXPECT_TRUE(nearest(1));
   EXPECT_FALSE(nearest(2)) << "by its own numbers the other is as near";
-  EXPECT_FALSE(lost_by_culling(BagVerdict::wrong_nearest, truth, hit(2, 2), hits({2})));
+  EXPECT_FALSE(lost_by_culling({BagVerdict::wrong_nearest}, truth, hit(2, 2), hits({2})));
 }
 
 TEST(BagJudge, FaultsAndNonsense) {
@@ -346,6 +346,74 @@ TEST(BagJudge, TruthIsRight) {
               }
             }
           }
+}
+
+// What a contract forbids is wrong though it is the nearest.
+TEST(JudgeNearest, AHitThatTheContractForbids) {
+  const std::vector<Triangle> both_ways = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 0, 0}, {0, 4, 0}, {4, 0, 0}}};
+  Contract culls;
+  culls.culling = Culling::back;
+  const Asked two(both_ways, down(1, 1), culls);
+  EXPECT_EQ(two.nearest(hit(0)).verdict, BagVerdict::correct);
+  EXPECT_EQ(two.nearest(hit(1)).verdict, BagVerdict::wrong_nearest);
+  EXPECT_FALSE(two.nearest(hit(1)).behind);
+  const std::vector<Triangle> corner = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{1, 1, 0}, {5, 1, 0}, {1, 5, 0}}};
+  const Asked open(corner, down(1, 1), with(EdgeRule::open));
+  EXPECT_EQ(open.nearest(hit(0)).verdict, BagVerdict::correct);
+  EXPECT_EQ(open.nearest(hit(1)).verdict, BagVerdict::wrong_nearest);
+}
+
+// A triangle in the ray's plane, in front of a wall or behind it.
+TEST(JudgeNearest, ATouchThatMustBeHit) {
+  const std::vector<Triangle> before = {{{-5, -1, 0}, {-3, -1, 0}, {-4, 2, 0}}, {{2, -1, -1}, {2, 2, -1}, {2, 0, 3}}};
+  const std::vector<Triangle> after = {{{5, -1, 0}, {7, -1, 0}, {6, 2, 0}}, before[1]};
+  const Ray along{.origin = {-10, 0, 0}, .direction = {1, 0, 0}};
+  Contract c;
+  c.coplanar = TouchRule::hit;
+  EXPECT_EQ(Asked(before, along, c).nearest(hit(0, 6)).verdict, BagVerdict::correct);
+  const BagJudgement passed = Asked(before, along, c).nearest(hit(1, 12));
+  EXPECT_EQ(passed.verdict, BagVerdict::wrong_nearest);
+  EXPECT_TRUE(passed.behind);
+  EXPECT_EQ(Asked(before, along, c).nearest({}).verdict, BagVerdict::leak);
+  EXPECT_EQ(Asked(after, along, c).nearest(hit(1, 12)).verdict, BagVerdict::correct);
+  for (const TouchRule rule : {TouchRule::hit, TouchRule::unspecified}) {
+    c.coplanar = rule;
+    const BagJudgement late = Asked(after, along, c).nearest(hit(0, 15));
+    EXPECT_EQ(late.verdict, BagVerdict::wrong_nearest);
+    EXPECT_TRUE(late.behind);
+  }
+  c.coplanar = TouchRule::unspecified;
+  EXPECT_EQ(Asked(before, along, c).nearest(hit(0, 6)).verdict, BagVerdict::unspecified);
+  EXPECT_EQ(Asked(before, along, c).nearest(hit(1, 12)).verdict, BagVerdict::correct);
+}
+
+// Where an edge may be hit or not, what is due lies behind it.
+TEST(JudgeNearest, SaysWhatWasDue) {
+  const std::vector<Triangle> bag = {
+      {{0, 0, 1}, {4, 0, 1}, {0, 4, 1}}, {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}}, {{-9, -9, -1}, {9, -9, -1}, {0, 9, -1}}};
+  const Asked asked(bag, Ray{.origin = {1, 0, 2}, .direction = {0, 0, -1}}, with(EdgeRule::unspecified));
+  const BagJudgement leak = asked.nearest({});
+  EXPECT_EQ(leak.verdict, BagVerdict::leak);
+  EXPECT_EQ(leak.due, HitClass::interior);
+  EXPECT_EQ(leak.due_rank, 1u);
+  EXPECT_EQ(asked.nearest(hit(0, 1)).verdict, BagVerdict::unspecified);
+  const BagJudgement third = asked.nearest(hit(2, 3));
+  EXPECT_EQ(third.verdict, BagVerdict::wrong_nearest);
+  EXPECT_TRUE(third.behind);
+  EXPECT_TRUE(lost_by_culling(third, asked.truth, hit(2, 3), std::vector{hit(1, 2)}));
+  EXPECT_FALSE(lost_by_culling(third, asked.truth, hit(2, 3), std::vector{hit(0, 1)}));
+  // A culled triangle in front is no hit, and not behind anything.
+  Contract culls;
+  culls.culling = Culling::back;
+  const std::vector<Triangle> away = {{{-9, -9, 1}, {0, 9, 1}, {9, -9, 1}}, bag[1]};
+  const BagJudgement front = Asked(away, down(0, 0), culls).nearest(hit(0, 0));
+  EXPECT_EQ(front.verdict, BagVerdict::wrong_nearest);
+  EXPECT_FALSE(front.behind);
+}
+
+TEST(JudgeHits, ATriangleTwiceIsADoubleHit) {
+  EXPECT_EQ(Asked(square, down(0.25, 0.25)).all({0, 0}).verdict, BagVerdict::double_hit);
+  EXPECT_EQ(Asked(square, down(0.25, 0.25)).all({0}).verdict, BagVerdict::correct);
 }
 
 }  // namespace

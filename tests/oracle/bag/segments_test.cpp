@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "case/float_bits.h"
 #include "tests/oracle/bag/bags.h"
+#include "tests/oracle/float_environment.h"
 
 namespace plumbline {
 namespace {
@@ -52,6 +54,55 @@ TEST(Inside, IsNotKnown) {
   EXPECT_EQ(inside(open, along_x(0.5, 0.25)), std::nullopt);
   EXPECT_EQ(inside(bag, Ray{.origin = {}, .direction = {}}), std::nullopt);
   EXPECT_EQ(inside(bag, Ray{.origin = {-3, 0, 0}, .direction = {1, 0, 0}, .t_min = NAN}), std::nullopt);
+}
+
+// The tetrahedron at the origin.
+std::vector<Triangle> corner(double size) {
+  const Vec3 o, x = {size, 0, 0}, y = {0, size, 0}, z = {0, 0, size};
+  return {{o, y, x}, {o, x, z}, {o, z, y}, {x, y, z}};
+}
+
+TEST(Inside, HasNoPiecesOfNoLength) {
+  const Ray up{.origin = {0.25, 0.25, -1}, .direction = {0, 0, 1}};
+  EXPECT_EQ(inside(corner(1), up), (Segments{{1, 1.5}}));
+  const auto between = [&](double low, double high) {
+    Ray ray = up;
+    ray.t_min = low;
+    ray.t_max = high;
+    return inside(corner(1), ray);
+  };
+  EXPECT_EQ(between(1.5, 3), Segments{});
+  EXPECT_EQ(between(0, 1), Segments{});
+  EXPECT_EQ(between(1.25, 1.25), Segments{});
+  EXPECT_EQ(between(1.25, 3), (Segments{{1.25, 1.5}}));
+  // The entry is at 1/3, a hair beyond the range; rounded, it is its end.
+  Ray slow = up;
+  slow.direction.z = 3;
+  slow.t_max = 0x1.5555555555555p-2;
+  EXPECT_EQ(inside(corner(1), slow), Segments{});
+}
+
+TEST(Inside, IsTheSameInEveryEnvironment) {
+  const Ray ray{.origin = {0x1p-42, 0x1p-42, -0x1p-40}, .direction = {0, 0, 0x1p+1000}};
+  const auto expected = inside(corner(0x1p-40), ray);
+  ASSERT_TRUE(expected);
+  ASSERT_EQ(expected->size(), 1u);
+  Ray before = ray;  // of the entry, at 2^-1040
+  before.t_min = 0x1p-1050;
+  before.t_max = 0x1p-1041;
+  for (const FloatEnvironment& environment : float_environments()) {
+    std::optional<std::vector<RaySegment>> whole, none;
+    {
+      const FloatScope scope(environment);
+      whole = inside(corner(0x1p-40), ray);
+      none = inside(corner(0x1p-40), before);
+    }
+    ASSERT_TRUE(whole && none) << environment;
+    ASSERT_EQ(whole->size(), 1u) << environment;
+    EXPECT_EQ(to_bits(whole->front().in), to_bits(expected->front().in)) << environment;
+    EXPECT_EQ(to_bits(whole->front().out), to_bits(expected->front().out)) << environment;
+    EXPECT_TRUE(none->empty()) << environment;
+  }
 }
 
 Bag plate_of(const Triangle& face, double thickness) {
