@@ -7,6 +7,8 @@
 #include <sstream>
 
 #include "analysis/ask.h"
+#include "case/finite.h"
+#include "case/input_error.h"
 #include "case/precision.h"
 #include "oracle/bag/scene.h"
 #include "oracle/judge.h"
@@ -26,7 +28,17 @@ struct Ground {
   Precision precision;
   Bag bag;
   Scene scene;
-  Ground(const Mesh& mesh, Precision p) : precision(p), bag(at_precision(to_bag(mesh), p)), scene(bag.triangles) {}
+  Ground(const Mesh& mesh, Precision p) : precision(p), bag(rounded_bag(mesh, p)), scene(bag.triangles) {}
+
+ private:
+  static Bag rounded_bag(const Mesh& mesh, Precision p) {
+    Bag rounded = at_precision(to_bag(mesh), p);
+    const auto beyond = std::ranges::find_if_not(rounded.triangles, [](const Triangle& t) { return is_finite(t); });
+    if (beyond != rounded.triangles.end())
+      throw InputError("triangle " + std::to_string(beyond - rounded.triangles.begin()) +
+                       " of the mesh lies beyond binary32, which a tracer named reads; name those of binary64 alone");
+    return rounded;
+  }
 };
 
 // What the truth is asked for: the same for all tracers of a precision and a searched range that are asked the rays

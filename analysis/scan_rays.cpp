@@ -144,6 +144,9 @@ ShotlineGrid::ShotlineGrid(const Mesh& mesh, double azimuth, double elevation, d
     : precision_(mesh.precision), cell_(cell) {
   if (!(cell > 0) || !is_finite(cell))
     throw InputError(fmt::format("a grid of shotlines with cells of {}: name a positive length", cell));
+  if (!is_finite(azimuth) || !is_finite(elevation))
+    throw InputError(
+        fmt::format("a grid of shotlines from azimuth {}, elevation {}: name angles in degrees", azimuth, elevation));
   const Turn a(azimuth), e(elevation);
   eye_ = {a.cosine * e.cosine, a.sine * e.cosine, e.sine};
   across_ = {-a.sine, a.cosine, 0};
@@ -162,10 +165,13 @@ ShotlineGrid::ShotlineGrid(const Mesh& mesh, double azimuth, double elevation, d
     }
   }
   front_ += std::max({right - left_, top - bottom_, cell});
-  const double columns = std::floor((right - left_) / cell) + 1, rows = std::floor((top - bottom_) / cell) + 1;
+  const double columns = std::max(1.0, std::ceil((right - left_) / cell)),
+               rows = std::max(1.0, std::ceil((top - bottom_) / cell));
   if (!(columns * rows <= 1e9))
     throw InputError(
         fmt::format("a grid of {:.0f} x {:.0f} shotlines with cells of {}: take larger cells", columns, rows, cell));
+  left_ = 0.5 * (left_ + right) - 0.5 * columns * cell;  // what the cells have over is shared between both sides
+  bottom_ = 0.5 * (bottom_ + top) - 0.5 * rows * cell;
   columns_ = static_cast<std::uint64_t>(columns);
   rows_ = static_cast<std::uint64_t>(rows);
 }

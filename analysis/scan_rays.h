@@ -42,7 +42,8 @@ class ScanRays {
 /// e, cos e), from in front of the mesh, in the middle of each cell. Angles in degrees; multiples of 90 are exact.
 class ShotlineGrid {
  public:
-  /// Throws InputError where the cell is not positive and finite, or the grid has more than 10^9 cells.
+  /// As few cells as cover the mesh, centred on it. Throws InputError where the cell is not positive and finite, an
+  /// angle not finite, or the grid has more than 10^9 cells.
   ShotlineGrid(const Mesh& mesh, double azimuth, double elevation, double cell);
 
   std::uint64_t size() const { return columns_ * rows_; }

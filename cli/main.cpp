@@ -14,7 +14,7 @@ namespace {
 constexpr int agree = 0, disagree = 1, trouble = 2;
 
 int report(std::string_view message) {
-  fmt::print(stderr, "plumbline: {}\n", message);
+  std::fputs(fmt::format("plumbline: {}\n", message).c_str(), stderr);  // which may be closed: no place to say so
   return trouble;
 }
 

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "analysis/bag_shrink.h"
+#include "analysis/found_case.h"
 #include "analysis/scan_rays.h"
 #include "analysis/scan_table.h"
 #include "analysis/text_table.h"
@@ -89,7 +90,10 @@ Case case_of(const ScanFinding& f, const Options& options) {
                   f.tracer->info().name, f.judgement.ulps),
       fmt::format("found by scan: {}, seed {}, {}, ray {}", options.mesh, options.seed, f.set->name, f.index),
       "triangles of the mesh:" + places(f.triangles)};
-  if (!f.reproduced)
+  if (f.reproduced)
+    set_known(found, f.tracer->info().name,
+              found_bag_finding(f.tracer->info(), f.signature, f.judgement, f.what, "scan").kind);
+  else
     found.provenance.push_back(
         "these triangles alone are answered rightly, or wrong in another way: it takes more of the mesh");
   return found;
@@ -103,6 +107,12 @@ struct Kept {
   bool reproduced = false;  ///< by the triangles of `found` alone
   std::optional<ShrunkBag> shrunk;
 };
+
+double written_severity(const Case& found) {
+  for (const std::string& line : found.provenance)
+    if (const auto at = line.find("severity "); at != line.npos) return std::strtod(line.c_str() + at + 9, nullptr);
+  return 0;
+}
 
 class Run {
  public:
@@ -126,7 +136,9 @@ class Run {
     interruption_.emplace();
     const ScanResult result = scan(plan_, begin, interruption_->came(), [this](const ScanProgress& p) { show(p); });
     folder_->keep(result.state);
-    if (result.complete && options_.shrink) shrink_findings();
+    if (result.complete && result.rays == 0)
+      fmt::print(stderr, "{}: this scan is complete; nothing is traced again\n", options_.folder);
+    const bool plain = !result.complete || !options_.shrink || shrink_findings();
     interruption_.reset();
     if (terminal_) fmt::print(stderr, "\r\x1b[K");
     const std::string table = to_terminal(plan_, result) + findings_table();
@@ -142,6 +154,8 @@ class Run {
     }
     for (std::size_t t = 0; t < plan_.tracers.size(); ++t)
       fmt::print(stderr, "{}", complaints(plan_.tracers[t]->info().name, result.conduct[t]));
+    if (!plain)
+      throw std::runtime_error("interrupted while findings were made plain: some are left as they were found");
     if (!result.complete)
       throw std::runtime_error(
           options_.folder.empty() ? "interrupted: this is of the rays done only; with -o DIR it can be taken up"
@@ -171,7 +185,8 @@ class Run {
             read_cases((std::filesystem::path(options_.folder) / path_of(key, ".case")).string()).front();
         const BagExamination e = examine_bag(*tracer, found);
         const auto again = signature(e);
-        Kept kept{tracer, found, 0, again && to_word(*again) == word, {}};
+        // Of what it takes more of the mesh to see, what was written of it has to do.
+        Kept kept{tracer, found, written_severity(found), again && to_word(*again) == word, {}};
         if (kept.reproduced) kept.ulps = e.judgement.ulps;
         plan_.told.emplace(key, kept.ulps);
         kept_.emplace(key, std::move(kept));
@@ -188,10 +203,11 @@ class Run {
     return found_bag_finding(tracer, signature, judgement, what, "scan of " + options_.mesh);
   }
 
-  void shrink_findings() {
+  // False where it is interrupted.
+  bool shrink_findings() {
     std::size_t at = 0;
     for (auto& [key, kept] : kept_) {
-      if (interruption_->came()) return;
+      if (interruption_->came()) return false;
       if (terminal_) fmt::print(stderr, "\r\x1b[Kmaking findings plain: {} of {}", ++at, kept_.size());
       if (!kept.reproduced) continue;
       kept.shrunk = shrink_bag(kept.found, *kept.tracer);
@@ -204,8 +220,11 @@ class Run {
                                               bits_after));
       simple.bag = what.bag;
       simple.ray = what.ray;
+      set_known(simple, kept.tracer->info().name,
+                found_bag_finding(kept.tracer->info(), *signature(after), after.judgement, what, "scan").kind);
       folder_->write(path_of(key, ".min.case"), to_text(simple));
     }
+    return true;
   }
 
   std::string findings_table() const {
@@ -220,7 +239,11 @@ class Run {
                                               : "many",
                             shrunk ? std::to_string(shrunk->bits_after) : "-"});
     }
-    std::string text = "\nThe worst of each kind, and how few triangles and bits show it:\n" + to_terminal(table);
+    std::string text =
+        "\nOf each kind a case, in place of which a worse one comes if it is twice as severe; how few triangles and "
+        "bits show "
+        "it (many: it takes more of the mesh than was kept):\n" +
+        to_terminal(table);
     if (!options_.folder.empty()) text += fmt::format("Cases: {}/findings\n", options_.folder);
     return text;
   }
@@ -310,7 +333,11 @@ void add_scan(CLI::App& app) {
       "on\n"
       "the ray at all, mostly a neighbour. Lost by culling: the tracer hits that triangle if it is asked about it "
       "alone,\n"
-      "so that its boxes or its way through them lost it. Worst: severity, see docs/scan.md.\n"
+      "so that its boxes or its way through them lost it. False hits: where nothing must be hit. Unspecified: the "
+      "contract\n"
+      "leaves it open. Faults: no answer, beyond the tracer's limits or its death. Worst: severity in ulps of the\n"
+      "largest coordinate at the tracer's own precision, see docs/scan.md. Times are of tracers that get the whole "
+      "mesh.\n"
       "'exact takes' is the time of the exact nearest hit over the tracer's, best measured with --jobs 1.\n\n" +
       std::string(foreign_tracers_help) +
       "\nExamples:\n"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 
 #include "case/float_bits.h"
 #include "case/folder.h"
@@ -24,13 +25,24 @@ std::uint64_t fingerprint(const Mesh& mesh) {
   return hash;
 }
 
+// A library or program of one's own changes under its name.
+std::string identity(const Tracer& tracer) {
+  const TracerInfo& info = tracer.info();
+  std::ifstream file(info.package, std::ios::binary);
+  if (info.package.empty() || !file) return info.name;
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (std::istreambuf_iterator<char> c(file), end; c != end; ++c)
+    hash = (hash ^ static_cast<unsigned char>(*c)) * 0x100000001b3u;
+  return fmt::format("{} {:016x}", info.name, hash);
+}
+
 }  // namespace
 
 ScanFolder::ScanFolder(const std::string& path, const ScanPlan& plan, std::uint64_t seed) : path_(path) {
   if (path_.empty()) return;
   plan_line_ = fmt::format("plan {:016x} seed {}", fingerprint(*plan.mesh), seed);
   for (const ScanSet& set : plan.sets) plan_line_ += fmt::format(" | {} {}", set.name, set.size);
-  for (const Tracer* tracer : plan.tracers) plan_line_ += " | " + tracer->info().name;
+  for (const Tracer* tracer : plan.tracers) plan_line_ += " | " + identity(*tracer);
   make_folder(path_ / "findings");
 }
 
@@ -42,7 +54,8 @@ ScanState ScanFolder::begin(const ScanPlan& plan) const {
   std::getline(file, second);
   if (first != plan_line_)
     throw InputError(
-        fmt::format("{}: holds a scan of another mesh, seed, number of rays or list of tracers; name a new "
+        fmt::format("{}: holds a scan of another mesh, seed, choice of rays or tracers (a library that was rebuilt is "
+                    "another); name a new "
                     "folder, or give the same again to take it up",
                     path_.string()));
   const auto state = from_line(second, plan);

@@ -11,7 +11,7 @@
 namespace plumbline {
 
 CLI::Option* add_store(CLI::App& app, std::string& path) {
-  return app.add_option("DB", path, "The store, as made by --findings DB of fuzz, sweep and judge");
+  return app.add_option("DB", path, "The store, as made by --findings DB of fuzz, sweep, scan and judge");
 }
 
 std::string status_text(const FindingRow& row) {

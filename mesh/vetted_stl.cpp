@@ -132,8 +132,9 @@ std::string vetted_stl(std::string bytes, const std::string& name) {
   if (!has_count)
     throw InputError(
         fmt::format("{}: is no STL: no text that begins with 'solid', and too short for a binary one", name));
-  throw InputError(fmt::format("{}: {} facets take {} bytes, the file has {}; it is cut off, or no STL", name,
-                               promised, facets_at + promised * facet_size, bytes.size()));
+  const auto needed = facets_at + promised * facet_size;
+  throw InputError(fmt::format("{}: {} facets take {} bytes, the file has {}; it {}, or no STL", name, promised, needed,
+                               bytes.size(), bytes.size() < needed ? "is cut off" : "goes on behind them"));
 }
 
 }  // namespace plumbline

@@ -286,10 +286,26 @@ TEST(ShotlineGrid, CoversTheMeshFromInFront) {
   EXPECT_EQ(ray.direction, (Vec3{0, -1, 0}));
 }
 
+TEST(ShotlineGrid, HasNoMoreCellsThanItTakesAndIsCentred) {
+  Mesh square;  // of size 1, in the plane x = 0
+  square.vertices = {{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}};
+  square.triangles = {{0, 1, 2}, {0, 2, 3}};
+  EXPECT_EQ(ShotlineGrid(square, 0, 0, 0.5).size(), 4u);
+  EXPECT_EQ(ShotlineGrid(square, 0, 0, 0.25).size(), 16u);
+  const Ray first = ShotlineGrid(square, 0, 0, 0.5).ray(0);
+  EXPECT_EQ(first.origin, (Vec3{1, 0.25, 0.25}));
+  EXPECT_EQ(first.direction, (Vec3{-1, 0, 0}));
+  const ShotlineGrid coarse(square, 0, 0, 10);
+  ASSERT_EQ(coarse.size(), 1u);
+  EXPECT_EQ(coarse.ray(0).origin, (Vec3{10, 0.5, 0.5}));
+  EXPECT_EQ(ShotlineGrid(square, 90, 0, 0.5).size(), 2u);  // seen from the edge
+}
+
 TEST(ShotlineGrid, RefusesCellsThatMakeNoGrid) {
   const Mesh mesh = sphere(80);
   for (const double cell : {0.0, -1.0, double{NAN}, double{INFINITY}, 1e-9})
     EXPECT_THROW(ShotlineGrid(mesh, 0, 0, cell), InputError);
+  EXPECT_THROW(ShotlineGrid(mesh, NAN, 0, 1), InputError);
 }
 
 }  // namespace

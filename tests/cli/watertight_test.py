@@ -57,7 +57,10 @@ class Watertight(unittest.TestCase):
 
     def test_interrupted_it_prints_what_is_done(self):
         file = self.directory / "leaks.csv"
-        ours, theirs = pty.openpty()  # so that its progress tells when it is under way
+        try:
+            ours, theirs = pty.openpty()  # so that its progress tells when it is under way
+        except OSError:
+            self.skipTest("this machine has no pseudoterminals")
         running = subprocess.Popen([PROGRAM, "watertight", "--tracer", "exact", "--rays", "1000000", "-o", str(file)],
                                    stdout=subprocess.PIPE, stderr=theirs, text=True)
         os.close(theirs)
