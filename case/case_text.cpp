@@ -186,7 +186,7 @@ class CaseReader {
   void add_line(std::string_view line) {
     ++line_number_;
     if (line_number_ == 1 && line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size());
-    if (line.ends_with('\r')) line.remove_suffix(1);
+    line = line.substr(0, line.find_last_not_of('\r') + 1);  // all: what is written must read back equal
     const auto start = line.find_first_not_of(blanks);
     if (start != line.npos && line[start] == '#') {
       line.remove_prefix(start + 1);

@@ -65,6 +65,15 @@ TEST(CaseText, ReadsEveryKey) {
   EXPECT_TRUE(cases[1].provenance.empty());
 }
 
+TEST(CaseText, LinesMayEndWithCarriageReturns) {
+  const auto cases =
+      parse_cases("# a\rremark\r\r\r\n#\r\r\ncase x\r\r\n\r\r\n" + std::string(geometry), "f.case");
+  ASSERT_EQ(cases.size(), 1u);
+  EXPECT_EQ(cases[0].id, "x");
+  EXPECT_EQ(cases[0].provenance, (std::vector<std::string>{"a\rremark", ""}));
+  EXPECT_EQ(parse_cases(to_text(cases[0]), "again"), cases);
+}
+
 TEST(CaseText, WritesOneOrder) {
   const std::string text =
       "# by hand\n"
