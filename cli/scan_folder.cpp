@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "case/fingerprint.h"
 #include "case/float_bits.h"
 #include "case/folder.h"
 #include "case/input_error.h"
@@ -14,15 +15,13 @@
 namespace plumbline {
 namespace {
 
-// FNV-1a over all of a mesh.
 std::uint64_t fingerprint(const Mesh& mesh) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  const auto take = [&](std::uint64_t word) { hash = (hash ^ word) * 0x100000001b3u; };
+  Fingerprint print;
   for (const Vec3& v : mesh.vertices)
-    for (const double x : {v.x, v.y, v.z}) take(to_bits(x));
+    for (const double x : {v.x, v.y, v.z}) print.add(to_bits(x));
   for (const Corners& corners : mesh.triangles)
-    for (const std::uint32_t corner : corners) take(corner);
-  return hash;
+    for (const std::uint32_t corner : corners) print.add(corner);
+  return print.value();
 }
 
 // A library or program of one's own changes under its name.
@@ -30,10 +29,9 @@ std::string identity(const Tracer& tracer) {
   const TracerInfo& info = tracer.info();
   std::ifstream file(info.package, std::ios::binary);
   if (info.package.empty() || !file) return info.name;
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (std::istreambuf_iterator<char> c(file), end; c != end; ++c)
-    hash = (hash ^ static_cast<unsigned char>(*c)) * 0x100000001b3u;
-  return fmt::format("{} {:016x}", info.name, hash);
+  Fingerprint print;
+  for (std::istreambuf_iterator<char> c(file), end; c != end; ++c) print.add(static_cast<unsigned char>(*c));
+  return fmt::format("{} {:016x}", info.name, print.value());
 }
 
 }  // namespace

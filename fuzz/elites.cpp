@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "case/fingerprint.h"
+
 namespace plumbline {
 namespace {
 
@@ -61,12 +63,11 @@ const Elite* Elites::at(Cell cell) const {
   return it == others_.end() ? nullptr : &elites_[it->second];
 }
 
-std::uint64_t fingerprint(const Elite& elite) {  // FNV-1a
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  const auto add = [&hash](std::uint64_t byte) { hash = (hash ^ byte) * 0x100000001b3u; };
-  for (int k = 0; k < 4; ++k) add(elite.cell >> 8 * k & 0xff);
-  for (const std::byte b : bytes_of(elite.input)) add(static_cast<std::uint64_t>(b));
-  return hash;
+std::uint64_t fingerprint(const Elite& elite) {
+  Fingerprint print;
+  for (int k = 0; k < 4; ++k) print.add(elite.cell >> 8 * k & 0xff);
+  for (const std::byte b : bytes_of(elite.input)) print.add(static_cast<std::uint64_t>(b));
+  return print.value();
 }
 
 std::uint64_t fingerprint(const Elites& elites) {
