@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "analysis/ask.h"
+#include "analysis/signature.h"
 #include "case/input_error.h"
 #include "oracle/judge.h"
 
@@ -48,6 +49,7 @@ BagExamination examine_bag(const Tracer& tracer, const Case& asked) {
 }
 
 std::optional<BagSignature> signature(const BagExamination& e) {
+  if (e.died) return death_signature;
   if (!e.wrong()) return std::nullopt;
   return signature(e.judgement, e.culling);
 }
@@ -57,6 +59,7 @@ BagSignature signature(const BagJudgement& judgement, bool culling) {
 }
 
 std::string to_word(const BagSignature& s) {
+  if (s == death_signature) return std::string(name(FindingKind::death));
   std::string word(name(s.verdict));
   if (s.where != HitClass::exterior) word += "-" + std::string(name(s.where));
   if (s.through) word += "-through";

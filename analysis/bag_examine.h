@@ -35,7 +35,7 @@ BagExamination examine_bag(const Tracer& tracer, const Case& asked);
 
 /// What makes two findings of one tracer in bags the same.
 struct BagSignature {
-  BagVerdict verdict = BagVerdict::leak;
+  BagVerdict verdict = BagVerdict::leak;  ///< fault: the tracer, in a child, died of it
   HitClass where = HitClass::interior;  ///< of what has to be hit first, the least exceptional: interior, edge, vertex;
                                         ///< exterior: nothing has to be
   bool culling = false;
@@ -46,11 +46,13 @@ struct BagSignature {
 
 /// Of a judgement that is wrong.
 BagSignature signature(const BagJudgement& judgement, bool culling);
+/// Of a ray that the tracer died of.
+inline constexpr BagSignature death_signature{BagVerdict::fault, HitClass::exterior, false, false};
 
 /// No value where there is nothing to find.
 std::optional<BagSignature> signature(const BagExamination& examination);
 
-/// One word: "leak-edge-culling", "wrong-nearest-interior-through", "false-hit".
+/// One word: "leak-edge-culling", "wrong-nearest-interior-through", "false-hit", "death".
 std::string to_word(const BagSignature& signature);
 
 }  // namespace plumbline

@@ -75,8 +75,10 @@ class Shrinker {
     r.bits_before = significant_bits(best_);
     only_those_met(r.before);
     take_triangles_away();
-    if (best_.bag.triangles.size() == 1) simplify_alone();
-    simplify_numbers();
+    if (wanted_ != death_signature) {
+      if (best_.bag.triangles.size() == 1) simplify_alone();
+      simplify_numbers();
+    }
     r.what = best_;
     r.after = examine_bag(tracer_, best_);
     r.bits_after = significant_bits(best_);

@@ -81,11 +81,8 @@ class Replay {
     result.tracer = index;
     result.verdict = verdict_kind(e.judgement.verdict);
     result.known = known_as(asked, tracer.info().name);
-    if (e.wrong()) {
-      result.severity = {.length = e.judgement.length, .ulps = e.judgement.ulps, .condition = {}};
-      result.signature = to_word(*signature(e));
-    }
-    if (e.died) result.signature = name(FindingKind::death);
+    if (e.wrong()) result.severity = {.length = e.judgement.length, .ulps = e.judgement.ulps, .condition = {}};
+    if (e.wrong() || e.died) result.signature = to_word(*signature(e));
     tell(result, e.died,
          explain_bag_verdict({e.put.bag.triangles, e.query, e.truth, tracer.info().contract}, e.answer, e.judgement));
     return result;

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "analysis/ask.h"
-#include "case/finite.h"
+#include "analysis/scan_rays.h"
 #include "case/input_error.h"
 #include "case/precision.h"
 #include "oracle/bag/scene.h"
@@ -33,10 +33,12 @@ struct Ground {
  private:
   static Bag rounded_bag(const Mesh& mesh, Precision p) {
     Bag rounded = at_precision(to_bag(mesh), p);
-    const auto beyond = std::ranges::find_if_not(rounded.triangles, [](const Triangle& t) { return is_finite(t); });
+    const auto beyond = std::ranges::find_if_not(
+        rounded.triangles, [p](const Triangle& t) { return has_room(t.a, p) && has_room(t.b, p) && has_room(t.c, p); });
     if (beyond != rounded.triangles.end())
       throw InputError("triangle " + std::to_string(beyond - rounded.triangles.begin()) +
-                       " of the mesh lies beyond binary32, which a tracer named reads; name those of binary64 alone");
+                       " of the mesh is so far out that rays around it overflow binary32, which a tracer named reads; "
+                       "name those of binary64 alone");
     return rounded;
   }
 };
@@ -128,11 +130,7 @@ class Worker {
     return result;
   }
 
-  std::vector<Conduct> conduct() {
-    for (std::size_t t = 0; t < whole_.size(); ++t)
-      if (whole_[t]) conduct_[t] += whole_[t]->take_conduct();
-    return conduct_;
-  }
+  const std::vector<Conduct>& conduct() const { return conduct_; }
 
  private:
   const Ground& ground(std::size_t tracer) const {
@@ -178,6 +176,7 @@ class Worker {
     put_.clear();
     for (const Ray& ray : rays_) put_.push_back(at_precision(ray, info.contract.precision));
     answers_.assign(rays_.size(), {});
+    died_.assign(rays_.size(), 0);
     own_.clear();
     if (asked_whole(t))
       trace_whole(t, result);
@@ -198,6 +197,9 @@ class Worker {
     const auto start = Clock::now();
     whole_[t]->trace(put_, answers_);
     result.times.tracers[t] = seconds_since(start);
+    const Conduct conduct = whole_[t]->take_conduct();
+    if (!conduct.deaths.empty()) died_.assign(rays_.size(), 1);  // of which ray isn't told
+    conduct_[t] += conduct;
     if (plan_.tracers[t]->info().own_queries)
       for (const Ray& ray : put_) own_.push_back(whole_[t]->asked(ray));
   }
@@ -215,7 +217,9 @@ class Worker {
       bag->trace({&put_[i], 1}, {&answers_[i], 1});
       result.times.tracers[t] += seconds_since(start);
       if (tracer.info().own_queries) own_.push_back(bag->asked(put_[i]));
-      conduct_[t] += bag->take_conduct();
+      const Conduct conduct = bag->take_conduct();
+      died_[i] = !conduct.deaths.empty();
+      conduct_[t] += conduct;
       Answer& answer = answers_[i];
       // A triangle that isn't there is none of the mesh's either.
       if (answer.outcome == Outcome::hit)
@@ -247,6 +251,7 @@ class Worker {
     ScanTally& tally = result.tallies[t];
     if (const auto plain = plain_verdict(contract, query, owners, answers_[i])) {
       ++tally.verdicts[static_cast<std::size_t>(*plain)];
+      if (*plain == BagVerdict::fault && died_[i]) offer({t, death_signature, {*plain}, block.first + i}, result);
       return;
     }
     const Ground& here = ground(t);
@@ -261,12 +266,17 @@ class Worker {
     tally.through += signature.through;
     tally.culled += culling;
     tally.worst_ulps = std::max(tally.worst_ulps, judged.ulps);
-    const auto told = std::ranges::find_if(
-        result.candidates, [&](const Candidate& c) { return c.tracer == t && c.signature == signature; });
+    offer({t, signature, judged, block.first + i}, result);
+  }
+
+  static void offer(const Candidate& found, BlockResult& result) {
+    const auto told = std::ranges::find_if(result.candidates, [&](const Candidate& c) {
+      return c.tracer == found.tracer && c.signature == found.signature;
+    });
     if (told == result.candidates.end())
-      result.candidates.push_back({t, signature, judged, block.first + i});
-    else if (judged.ulps > told->judgement.ulps)
-      *told = {t, signature, judged, block.first + i};
+      result.candidates.push_back(found);
+    else if (found.judgement.ulps > told->judgement.ulps)
+      *told = found;
   }
 
   std::vector<Answer> hits_alone(std::size_t t, std::size_t i, const BagTruth& truth) {
@@ -287,6 +297,7 @@ class Worker {
   std::vector<Conduct> conduct_;
   std::vector<Ray> rays_, put_;
   std::vector<Answer> answers_;
+  std::vector<char> died_;  // of a ray, or of another of its block
   std::vector<std::unique_ptr<Asked>> asked_;
   std::vector<Query> own_;
   NearestHits own_hits_;
@@ -468,10 +479,8 @@ ScanResult scan(const ScanPlan& plan, ScanState begin, const std::atomic<bool>& 
   }
   result.complete = state.blocks == blocks.size();
   result.conduct.resize(plan.tracers.size());
-  for (Worker& worker : workers) {
-    const auto conduct = worker.conduct();
-    for (std::size_t t = 0; t < conduct.size(); ++t) result.conduct[t] += conduct[t];
-  }
+  for (const Worker& worker : workers)
+    for (std::size_t t = 0; t < plan.tracers.size(); ++t) result.conduct[t] += worker.conduct()[t];
   return result;
 }
 

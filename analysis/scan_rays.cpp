@@ -25,11 +25,36 @@ Vec3 cross(const Vec3& p, const Vec3& q) {
   return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
 }
 
+double largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+
+// By the power of two that makes `size` one, nearly: squares of it neither over- nor underflow.
+Vec3 near_one(const Vec3& v, double size) {
+  const int down = size == 0 ? 0 : -std::ilogb(size);
+  return {std::ldexp(v.x, down), std::ldexp(v.y, down), std::ldexp(v.z, down)};
+}
+
+double length(const Vec3& v) {
+  const double size = largest(v);
+  const Vec3 near = near_one(v, size);
+  return size == 0 ? 0 : std::ldexp(std::sqrt(dot(near, near)), std::ilogb(size));
+}
+
+void check_room(const Mesh& mesh) {
+  const auto beyond =
+      std::ranges::find_if_not(mesh.vertices, [&](const Vec3& v) { return has_room(v, mesh.precision); });
+  if (beyond == mesh.vertices.end()) return;
+  throw InputError(fmt::format("vertex {} of the mesh is so far out that rays around it overflow {}; scale it down",
+                               beyond - mesh.vertices.begin(), name(mesh.precision)));
+}
+
 // |N|^2 / (longest edge)^4: the square of twice the area over that of the longest edge, and so of altitude / edge.
 double thinness(const Triangle& t) {
-  const Vec3 e1 = minus(t.b, t.a), e2 = minus(t.c, t.a), e3 = minus(t.c, t.b), n = cross(e1, e2);
+  Vec3 e1 = minus(t.b, t.a), e2 = minus(t.c, t.a), e3 = minus(t.c, t.b);
+  const double size = std::max({largest(e1), largest(e2), largest(e3)});
+  for (Vec3* e : {&e1, &e2, &e3}) *e = near_one(*e, size);
+  const Vec3 n = cross(e1, e2);
   const double longest2 = std::max({dot(e1, e1), dot(e2, e2), dot(e3, e3)});
-  return longest2 == 0 ? 0 : dot(n, n) / longest2 / longest2;
+  return size == 0 ? 0 : dot(n, n) / longest2 / longest2;
 }
 
 double turned(Random& random, double x, Precision precision) {
@@ -57,8 +82,14 @@ struct Turn {
 
 }  // namespace
 
+// Origins lie in a box twice as large as the mesh's, at most 3 times the limit away; directions are at most 4 times it.
+bool has_room(const Vec3& point, Precision precision) {
+  return largest(point) <= (precision == Precision::binary32 ? 0x1p+125 : 0x1p+1021);
+}
+
 ScanRays::ScanRays(const Mesh& mesh, std::uint64_t seed)
     : mesh_(mesh), seed_(seed), low_{infinity, infinity, infinity}, high_{-infinity, -infinity, -infinity} {
+  check_room(mesh);
   for (const Corners& corners : mesh.triangles) {
     for (const std::uint32_t corner : corners) {
       const Vec3& v = mesh.vertices[corner];
@@ -122,7 +153,7 @@ Ray ScanRays::ray(ScanAim aim, std::uint64_t index) const {
       target = plus(t.a, times(fraction(), minus(t.b, t.a)));
       // From within the plane: a combination of two sides, as long as the mesh is large.
       const Vec3 along = plus(times(random.unit(), minus(t.b, t.a)), times(random.unit(), minus(t.c, t.a)));
-      const double size = std::sqrt(dot(along, along)), reach = std::sqrt(dot(minus(high_, low_), minus(high_, low_)));
+      const double size = length(along), reach = length(minus(high_, low_));
       if (size > 0) origin = minus(target, times(reach / size, along));
       break;
     }
@@ -142,6 +173,7 @@ Ray ScanRays::ray(ScanAim aim, std::uint64_t index) const {
 
 ShotlineGrid::ShotlineGrid(const Mesh& mesh, double azimuth, double elevation, double cell)
     : precision_(mesh.precision), cell_(cell) {
+  check_room(mesh);
   if (!(cell > 0) || !is_finite(cell))
     throw InputError(fmt::format("a grid of shotlines with cells of {}: name a positive length", cell));
   if (!is_finite(azimuth) || !is_finite(elevation))

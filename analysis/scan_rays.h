@@ -23,9 +23,12 @@ inline constexpr std::array<std::string_view, 5> scan_aim_summaries = {
     "through a point of an edge, along the plane of one of its triangles: where the mesh turns away"};
 constexpr std::string_view summary(ScanAim a) { return scan_aim_summaries[static_cast<unsigned>(a)]; }
 
+/// Whether rays around a mesh of such points, and from one to another, don't overflow: an eighth of the largest number.
+bool has_room(const Vec3& point, Precision precision);
+
 class ScanRays {
  public:
-  /// Keeps a reference. The mesh has triangles.
+  /// Keeps a reference. The mesh has triangles. Throws InputError where a vertex has no room.
   ScanRays(const Mesh& mesh, std::uint64_t seed);
 
   Ray ray(ScanAim aim, std::uint64_t index) const;
@@ -42,8 +45,8 @@ class ScanRays {
 /// e, cos e), from in front of the mesh, in the middle of each cell. Angles in degrees; multiples of 90 are exact.
 class ShotlineGrid {
  public:
-  /// As few cells as cover the mesh, centred on it. Throws InputError where the cell is not positive and finite, an
-  /// angle not finite, or the grid has more than 10^9 cells.
+  /// As few cells as cover the mesh, centred on it. Throws InputError where a vertex has no room, the cell is not
+  /// positive and finite, an angle not finite, or the grid has more than 10^9 cells.
   ShotlineGrid(const Mesh& mesh, double azimuth, double elevation, double cell);
 
   std::uint64_t size() const { return columns_ * rows_; }

@@ -86,8 +86,9 @@ Case case_of(const ScanFinding& f, const Options& options) {
   Case found = f.what;
   found.id = to_word(f.signature);
   found.provenance = {
-      fmt::format("{} of {}: severity {:.6g} ulps of the largest coordinate", name(f.signature.verdict),
-                  f.tracer->info().name, f.judgement.ulps),
+      f.signature == death_signature ? fmt::format("{} dies of this ray", f.tracer->info().name)
+                                     : fmt::format("{} of {}: severity {:.6g} ulps of the largest coordinate",
+                                                   name(f.signature.verdict), f.tracer->info().name, f.judgement.ulps),
       fmt::format("found by scan: {}, seed {}, {}, ray {}", options.mesh, options.seed, f.set->name, f.index),
       "triangles of the mesh:" + places(f.triangles)};
   if (f.reproduced)
@@ -129,8 +130,9 @@ class Run {
   void run() {
     const ScanState begin = folder_->begin(plan_);
     if (begin.blocks > 0) recall();
+    const std::string about_mesh = to_text(report(mesh_)) + "\n";
     Output output;
-    output.write(to_text(report(mesh_)) + "\n");
+    output.write(about_mesh);
     output.flush();
     folder_->keep(begin);  // or it's told here that it can't be written
     interruption_.emplace();
@@ -143,7 +145,7 @@ class Run {
     if (terminal_) fmt::print(stderr, "\r\x1b[K");
     const std::string table = to_terminal(plan_, result) + findings_table();
     if (result.complete) {
-      folder_->write("scan.txt", to_text(report(mesh_)) + "\n" + table);
+      folder_->write("scan.txt", about_mesh + table);
       folder_->write("scan.csv", to_csv(plan_, result.state));
     }
     output.write(table);
@@ -335,7 +337,8 @@ void add_scan(CLI::App& app) {
       "alone,\n"
       "so that its boxes or its way through them lost it. False hits: where nothing must be hit. Unspecified: the "
       "contract\n"
-      "leaves it open. Faults: no answer, beyond the tracer's limits or its death. Worst: severity in ulps of the\n"
+      "leaves it open. Faults: no answer, beyond the tracer's limits or its death, of which a case is kept. Worst: "
+      "severity in ulps of the\n"
       "largest coordinate at the tracer's own precision, see docs/scan.md. Times are of tracers that get the whole "
       "mesh.\n"
       "'exact takes' is the time of the exact nearest hit over the tracer's, best measured with --jobs 1.\n\n" +

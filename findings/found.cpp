@@ -34,6 +34,7 @@ FindingKind kind(BagVerdict verdict, std::size_t triangles) {
   switch (verdict_kind(verdict)) {
     case VerdictKind::leak: return triangles == 1 ? FindingKind::false_miss : FindingKind::leak;
     case VerdictKind::wrong_nearest: return FindingKind::wrong_nearest;
+    case VerdictKind::fault: return FindingKind::death;
     default: return FindingKind::false_hit;
   }
 }
@@ -43,6 +44,7 @@ Conditioning conditioning(const Case& what, const Contract& contract, BagVerdict
     return examine(what.bag.triangles[triangle], what.ray, what.ray, {}, contract);
   };
   Conditioning found = Conditioning::nominal;
+  if (verdict == BagVerdict::fault) return found;
   if (verdict == BagVerdict::false_hit) {
     double least = std::numeric_limits<double>::infinity();
     for (std::uint32_t i = 0; i < what.bag.triangles.size(); ++i) {

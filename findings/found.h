@@ -18,7 +18,8 @@ FoundFinding found_finding(const TracerInfo& tracer, const Signature& signature,
 /// `what` has several triangles, or what is left of them, and numbers of the tracer's precision; the verdict is of
 /// judge_nearest. The signature is its word, and where the case is ill-conditioned by what: "leak-edge-culling",
 /// "wrong-nearest-interior-grazing". That is told of the triangle that is crossed first, the worst where several are;
-/// of a false hit, of the one that is nearest to being hit. A leak of one triangle is a false miss.
+/// of a false hit, of the one that is nearest to being hit; a death has no condition. A leak of one triangle is a false
+/// miss.
 FoundFinding found_bag_finding(const TracerInfo& tracer, const BagSignature& signature, const BagJudgement& judgement,
                                const Case& what, std::string source);
 

@@ -6,6 +6,7 @@
 
 #include "analysis/tracers.h"
 #include "tests/analysis/faulty_tracer.h"
+#include "tests/analysis/fixed_tracer.h"
 
 namespace plumbline {
 namespace {
@@ -91,6 +92,18 @@ TEST(BagSignature, IsOneWord) {
   EXPECT_EQ(to_word({BagVerdict::leak, HitClass::edge, true, false}), "leak-edge-culling");
   EXPECT_EQ(to_word({BagVerdict::wrong_nearest, HitClass::interior, false, true}), "wrong-nearest-interior-through");
   EXPECT_EQ(to_word({BagVerdict::false_hit, HitClass::exterior, false, false}), "false-hit");
+}
+
+// Each try may be a hang.
+TEST(BagShrink, OfADeathTakesTrianglesAwayAlone) {
+  const FixedTracer dies({.answer = {.outcome = Outcome::fault}, .conduct = {.deaths = {{"SIGABRT", 1}}}});
+  const Case what = sheet(6, 0.65, 0.9);
+  const auto shrunk = shrink_bag(what, dies);
+  ASSERT_TRUE(shrunk);
+  EXPECT_EQ(signature(shrunk->after), death_signature);
+  EXPECT_EQ(shrunk->what.bag.triangles.size(), 1u);
+  EXPECT_EQ(shrunk->what.ray, what.ray);
+  EXPECT_LE(shrunk->tries, 20u);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -13,6 +14,7 @@
 #include "oracle/bag/scene.h"
 #include "oracle/judge.h"
 #include "tests/analysis/faulty_tracer.h"
+#include "tests/analysis/fixed_tracer.h"
 
 namespace plumbline {
 namespace {
@@ -169,6 +171,46 @@ TEST(Scan, TellsPlantedFaults) {
   }());
 }
 
+// Dies of what is hit near the origin of the ray.
+class Mortal final : public Tracer {
+ public:
+  Mortal() : Tracer({.name = "mortal", .summary = "", .source = "", .contract = {}}) {}
+  std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override {
+    struct Prepared final : PreparedBag {
+      explicit Prepared(const Bag& b) : right(find_tracer("exact").prepare(b)) {}
+      void answer(std::span<const Ray> rays, std::span<Answer> answers) override {
+        right->trace(rays, answers);
+        for (Answer& a : answers) {
+          if (a.outcome != Outcome::hit || a.t > 0.75) continue;
+          a = {.outcome = Outcome::fault};
+          ++conduct_.deaths["SIGABRT"];
+        }
+      }
+      std::unique_ptr<PreparedBag> right;
+    };
+    return std::make_unique<Prepared>(bag);
+  }
+};
+
+TEST(Scan, KeepsARayThatATracerDiedOf) {
+  const Mortal mortal;
+  for (const std::uint64_t triangles : {320u, 5120u}) {  // asked about all, and about those nearby
+    const Scanned s(sphere(triangles), {&mortal}, 200);
+    const ScanTally sum = s.sum(0);
+    EXPECT_GT(sum[BagVerdict::fault], 1u);
+    EXPECT_EQ(s.result.conduct[0].deaths, (std::map<std::string, std::uint64_t>{{"SIGABRT", sum[BagVerdict::fault]}}));
+    ASSERT_EQ(s.findings.size(), 1u) << "of one kind";
+    const ScanFinding& f = s.findings.front();
+    EXPECT_EQ(to_word(f.signature), "death");
+    EXPECT_TRUE(f.reproduced);
+    EXPECT_LT(f.triangles.size(), 100u);
+    EXPECT_EQ(signature(examine_bag(mortal, f.what)), death_signature);
+  }
+  // It says that it can't take a case: nothing to keep.
+  const FixedTracer declines({.answer = {.outcome = Outcome::fault}});
+  EXPECT_TRUE(Scanned(sphere(320), {&declines}, 20).findings.empty());
+}
+
 // The short way to a verdict is the long one's, whatever is promised.
 TEST(Scan, JudgesAsABagIsJudged) {
   Mesh mesh;
@@ -248,6 +290,37 @@ TEST(ScanRays, AreAFunctionOfSeedAimAndIndex) {
         ASSERT_TRUE(is_binary32(x));
     }
   }
+}
+
+Mesh scaled(Mesh mesh, int exponent) {
+  for (Vec3& v : mesh.vertices) v = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+  return mesh;
+}
+
+// Radius 1 at most: up to an eighth of the largest number everything is as around 1, but for the exponents.
+TEST(ScanRays, OfAHugeMeshOrATinyOneAreAsOthers) {
+  const Mesh mesh = sphere(320, Precision::binary64);
+  const ScanRays near(mesh, 1);
+  for (const int exponent : {1020, 700, -700, -950}) {
+    const Mesh other = scaled(mesh, exponent);
+    const ScanRays rays(other, 1);
+    for (std::size_t k = 0; k < scan_aim_names.size(); ++k) {
+      const auto aim = static_cast<ScanAim>(k);
+      for (std::uint64_t i = 0; i < 50; ++i) {
+        const Ray ray = rays.ray(aim, i), plain = near.ray(aim, i);
+        EXPECT_EQ(std::ldexp(ray.origin.x, -exponent), plain.origin.x) << name(aim) << ' ' << i << ' ' << exponent;
+        EXPECT_EQ(std::ldexp(ray.direction.y, -exponent), plain.direction.y);
+      }
+    }
+  }
+  for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+    const Mesh beyond = scaled(sphere(320, precision), precision == Precision::binary32 ? 127 : 1023);
+    EXPECT_THROW(ScanRays(beyond, 1), InputError);
+    EXPECT_THROW(ShotlineGrid(beyond, 0, 0, 0x1p+1000), InputError);
+  }
+  const Mesh far = scaled(mesh, 200);
+  EXPECT_THROW(Scanned(far, {&find_tracer("woop_watertight_f32")}, 1), InputError) << "of binary32";
+  EXPECT_NO_THROW(Scanned(far, {&find_tracer("woop_watertight_f64")}, 1));
 }
 
 TEST(ScanRays, MeetWhatTheyAreAimedAt) {

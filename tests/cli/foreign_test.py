@@ -178,6 +178,19 @@ class SharedLibrary(ForeignTest):
             lost = whole["successes"] - mortal_row["successes"]
             self.assertTrue(0 <= lost <= mortal_row["faults"], (whole, mortal_row))
 
+        run("mesh", "make", "sphere", "--triangles", 80, "-o", "sphere.ply", cwd=self.folder)
+        scanned = run("scan", "sphere.ply", "--tracer", "./mortal.so", "--rays", 100, "--aim", "uniform", "-o", "scan",
+                      "--findings", "store.db", cwd=self.folder)
+        self.assertEqual(scanned.returncode, 0, scanned.stderr)
+        self.assertRegex(scanned.stderr, r"my_tracer: died of [0-9]+ rays \(SIGABRT\)")
+        findings = self.folder / "scan" / "findings" / "my_tracer"
+        self.assertIn("# my_tracer dies of this ray", (findings / "death.case").read_text())
+        plain = (findings / "death.min.case").read_text()
+        self.assertRegex(plain, r"# shrunk: \d+ triangles -> 1,")
+        again = run("replay", findings / "death.min.case", "--tracer", "./mortal.so", cwd=self.folder)
+        self.assertIn("my_tracer: died of 1 ray (SIGABRT)", again.stderr)
+        self.assertIn("death", run("triage", "list", "store.db", cwd=self.folder).stdout)
+
         compared = run("compare", "./mortal.so", "exact", "--inputs", "binary64", "--family", "random", "--count", 50,
                        cwd=self.folder)
         self.assertEqual(compared.returncode, 0, compared.stderr)

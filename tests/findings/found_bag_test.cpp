@@ -80,6 +80,14 @@ TEST(FoundBag, OfOneTriangleIsAFalseMiss) {
   EXPECT_EQ(one.found.ulps, 2);
 }
 
+TEST(FoundBag, IsADeathWhereTheTracerDiesOfIt) {
+  const FoundFinding dead =
+      found({.answer = {.outcome = Outcome::fault}, .conduct = {.deaths = {{"SIGABRT", 1}}}}, square);
+  EXPECT_EQ(dead.kind, FindingKind::death);
+  EXPECT_EQ(dead.signature, "death");
+  EXPECT_EQ(dead.found.ulps, 0);
+}
+
 TEST(FoundBag, IsNoVerdictOfHitsOneByOne) {
   const FixedTracer tracer({a_miss});
   const BagSignature doubled{.verdict = BagVerdict::double_hit};
