@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <future>
 #include <map>
 #include <mutex>
@@ -17,36 +18,34 @@ namespace {
 
 constexpr std::size_t small_bag = 32;  // triangles
 
-constexpr LeakTest beside(std::string_view name, BagFamily family, BagTarget one, BagTarget other,
-                          Precision precision) {
-  const int bits = precision == Precision::binary32 ? 24 : 53;
-  return {name, family, {one, other}, BagOrigin::outside, precision, bits, 1};
-}
+constexpr int ulp = 1, exact = 0;
 
-constexpr LeakTest exactly(std::string_view name, BagFamily family, BagTarget one, BagTarget other,
-                           Precision precision) {
-  const int bits = precision == Precision::binary32 ? 8 : 53;
-  return {name, family, {one, other}, BagOrigin::outside, precision, bits, 0};
-}
-
-constexpr LeakTest sphere(std::string_view name, BagTarget one, BagTarget other, BagOrigin origin,
-                          Precision precision) {
-  LeakTest test = beside(name, BagFamily::sphere, one, other, precision);
-  test.origin = origin;
-  return test;
+// With full mantissas; exactly, in binary32 on a grid so coarse that products of three differences are floats.
+constexpr LeakTest test(LeakTable table, std::string_view name, BagFamily family, std::array<BagTarget, 2> targets,
+                        BagOrigin origin, Precision precision, int ulps) {
+  const int bits = precision == Precision::binary64 ? 53 : ulps == 0 ? 8 : 24;
+  return {table, name, family, targets, origin, precision, bits, ulps};
 }
 
 constexpr auto tests_at(Precision p) {
-  constexpr auto edge = BagTarget::edge, vertex = BagTarget::vertex;
-  return std::array{beside("pair, ulp", BagFamily::pair, edge, edge, p),
-                    exactly("pair, exact", BagFamily::pair, edge, edge, p),
-                    beside("fan, ulp", BagFamily::fan, vertex, edge, p),
-                    exactly("fan, exact", BagFamily::fan, vertex, edge, p),
-                    beside("strip, ulp", BagFamily::strip, vertex, edge, p),
-                    exactly("strip, exact", BagFamily::strip, vertex, edge, p),
-                    sphere("sphere, vertices", vertex, vertex, BagOrigin::inside, p),
-                    sphere("sphere, edges", edge, edge, BagOrigin::inside, p),
-                    sphere("sphere, outside", vertex, edge, BagOrigin::outside, p)};
+  using enum LeakTable;
+  using enum BagFamily;
+  using enum BagTarget;
+  using enum BagOrigin;
+  return std::array{test(shared, "pair, ulp", pair, {edge, edge}, outside, p, ulp),
+                    test(shared, "pair, exact", pair, {edge, edge}, outside, p, exact),
+                    test(shared, "fan, ulp", fan, {vertex, edge}, outside, p, ulp),
+                    test(shared, "fan, exact", fan, {vertex, edge}, outside, p, exact),
+                    test(shared, "strip, ulp", strip, {vertex, edge}, outside, p, ulp),
+                    test(shared, "strip, exact", strip, {vertex, edge}, outside, p, exact),
+                    test(spheres, "sphere, vertices", sphere, {vertex, vertex}, inside, p, ulp),
+                    test(spheres, "sphere, edges", sphere, {edge, edge}, inside, p, ulp),
+                    test(spheres, "sphere, outside", sphere, {vertex, edge}, outside, p, ulp),
+                    test(layered, "sheets", sheets, {face, edge}, outside, p, ulp),
+                    test(layered, "overlap", overlap, {face, edge}, outside, p, ulp),
+                    test(layered, "lattice", lattice, {edge, vertex}, outside, p, exact),
+                    test(layered, "grazing pair", pair, {edge, face}, grazing, p, ulp),
+                    test(layered, "grazing sphere", sphere, {vertex, edge}, grazing, p, ulp)};
 }
 
 constexpr auto all_tests = [] {
@@ -56,11 +55,19 @@ constexpr auto all_tests = [] {
   return list;
 }();
 
-std::uint64_t rays_of_a_bag(BagFamily family) { return family == BagFamily::sphere ? 1000 : 16; }
+std::uint64_t rays_of_a_bag(BagFamily family) {
+  return family == BagFamily::sphere ? 1000 : family == BagFamily::lattice ? 4 : 16;
+}
 
 std::uint64_t bags_of(const LeakTest& test, const LeakPlan& plan) {
   const std::uint64_t rays = rays_of_a_bag(test.family);
   return (plan.rays + rays - 1) / rays;
+}
+
+// All over the lattice, where there are fewer bags than it has; else each the next time at the other target.
+std::uint64_t bag_of(const LeakTest& test, const LeakPlan& plan, std::uint64_t index) {
+  const std::uint64_t bags = bags_of(test, plan);
+  return test.family == BagFamily::lattice && bags < lattice_bags ? index * lattice_bags / bags : index;
 }
 
 bool reads(const Tracer& tracer, const LeakTest& test) {
@@ -111,11 +118,10 @@ Contract strict(Contract contract) {
   return contract;
 }
 
-// Tracers that search the same range are asked the same: these share truths.
+// Tracers that search the same range, and are asked the rays themselves, share them.
 struct Questions {
-  explicit Questions(RangeRule r) : range(r) {}
   RangeRule range;
-  std::vector<Query> queries;
+  std::vector<Query> queries;  // as searched
   std::vector<BagTruth> truths;
   Visits visits;
 };
@@ -126,7 +132,6 @@ bool same_line(const Query& p, const Query& q) {
 
 // What a tracer says of the rays of one bag.
 struct Replies {
-  std::vector<Query> queries;  // as searched
   std::vector<Answer> whole;
   std::vector<std::vector<Answer>> alone;  // the hits of triangles asked one by one
   std::vector<char> apart, faulty;         // alone
@@ -142,62 +147,67 @@ class Worker {
 
   void run(std::size_t test, std::uint64_t index) {
     const LeakTest& t = all_tests[test];
-    const BagAim aim{
-        .target = t.targets[index % 2], .origin = t.origin, .precision = t.precision, .bits = t.bits, .ulps = t.ulps};
+    const std::uint64_t pass = index / lattice_bags;
+    const BagAim aim{.target = t.targets[(index + pass) % 2],
+                     .origin = t.origin,
+                     .precision = t.precision,
+                     .bits = t.bits,
+                     .ulps = t.ulps};
     const std::uint64_t most = rays_of_a_bag(t.family);
-    const AimedBag bag = draw(t.family, aim, std::min(most, plan_.rays - index * most), plan_.seed, index);
+    const AimedBag bag =
+        draw(t.family, aim, std::min(most, plan_.rays - index * most), plan_.seed, bag_of(t, plan_, index));
     const Scene scene(bag.triangles);
     std::vector<Questions> questions;
-    for (std::size_t i = 0; i < plan_.tracers.size(); ++i) {
-      if (!reads(*plan_.tracers[i], t)) continue;
-      const Contract& contract = plan_.tracers[i]->info().contract;
-      auto it = std::ranges::find(questions, contract.range, &Questions::range);
-      if (it == questions.end()) it = questions.insert(it, questions_of(bag, scene, contract));
-      ask(i, bag, scene, *it, scores_[i][test]);
-    }
+    for (std::size_t i = 0; i < plan_.tracers.size(); ++i)
+      if (reads(*plan_.tracers[i], t)) ask(i, bag, scene, questions, scores_[i][test]);
   }
 
   const std::vector<std::vector<LeakScore>>& scores() const { return scores_; }
   const std::vector<Conduct>& conduct() const { return conduct_; }
 
  private:
-  static Questions questions_of(const AimedBag& bag, const Scene& scene, const Contract& contract) {
-    Questions q(contract.range);
+  static Questions questions_of(const AimedBag& bag, const Scene& scene, const Contract& contract, const auto& asked) {
+    Questions q{.range = contract.range, .queries = {}, .truths = {}, .visits = {}};
     for (const Ray& ray : bag.rays) {
-      q.queries.push_back(searched_ray(ray, contract));
+      q.queries.push_back(searched_ray(asked(ray), contract));
       q.truths.push_back(scene.truth(q.queries.back()));
     }
     q.visits = visits_of(bag, q.truths);
     return q;
   }
 
-  void ask(std::size_t tracer, const AimedBag& bag, const Scene& scene, const Questions& questions,
+  void ask(std::size_t tracer, const AimedBag& bag, const Scene& scene, std::vector<Questions>& shared,
            LeakScore& score) {
-    const TracerInfo& info = plan_.tracers[tracer]->info();
-    const Replies replies = replies_of(tracer, bag, questions);
-    for (std::size_t i = 0; i < bag.rays.size(); ++i) {
-      const Query& query = replies.queries[i];
-      const BagTruth own = info.own_queries ? scene.truth(query) : BagTruth{};
-      count(replies, i, {bag.triangles, query, info.own_queries ? own : questions.truths[i], info.contract},
-            bag.closed, score);
+    const Tracer& asked = *plan_.tracers[tracer];
+    const Contract& contract = asked.info().contract;
+    const auto whole = asked.prepare({.triangles = bag.triangles});
+    if (asked.info().own_queries) {
+      const auto own = questions_of(bag, scene, contract, [&](const Ray& ray) { return whole->asked(ray); });
+      return count(tracer, bag, *whole, own, score);
     }
+    auto it = std::ranges::find(shared, contract.range, &Questions::range);
+    if (it == shared.end()) it = shared.insert(it, questions_of(bag, scene, contract, std::identity()));
+    count(tracer, bag, *whole, *it, score);
   }
 
-  Replies replies_of(std::size_t tracer, const AimedBag& bag, const Questions& questions) {
+  void count(std::size_t tracer, const AimedBag& bag, PreparedBag& whole, const Questions& questions,
+             LeakScore& score) {
+    const Replies replies = replies_of(tracer, bag, whole, questions);
+    const Contract& contract = plan_.tracers[tracer]->info().contract;
+    for (std::size_t i = 0; i < bag.rays.size(); ++i)
+      count(replies, i, {bag.triangles, questions.queries[i], questions.truths[i], contract}, bag.closed, score);
+  }
+
+  Replies replies_of(std::size_t tracer, const AimedBag& bag, PreparedBag& whole, const Questions& questions) {
     const Tracer& asked = *plan_.tracers[tracer];
-    const bool own = asked.info().own_queries;
     const Contract& contract = asked.info().contract;
     const std::size_t rays = bag.rays.size();
-    Replies replies{.queries = questions.queries,
-                    .whole = std::vector<Answer>(rays),
+    Replies replies{.whole = std::vector<Answer>(rays),
                     .alone = std::vector<std::vector<Answer>>(rays),
                     .apart = std::vector<char>(rays),
                     .faulty = std::vector<char>(rays)};
-    const auto whole = asked.prepare({.triangles = bag.triangles});
-    whole->trace(bag.rays, replies.whole);
-    for (std::size_t i = 0; own && i < rays; ++i)
-      replies.queries[i] = searched_ray(whole->asked(bag.rays[i]), contract);
-    conduct_[tracer] += whole->conduct();
+    whole.trace(bag.rays, replies.whole);
+    conduct_[tracer] += whole.conduct();
 
     std::vector<Ray> put;
     std::vector<Answer> answers;
@@ -211,7 +221,8 @@ class Worker {
       alone->trace(put, answers);
       for (std::size_t i = 0; i < put.size(); ++i) {
         const std::uint32_t ray = visits[i];
-        if (own && !same_line(searched_ray(alone->asked(put[i]), contract), replies.queries[ray]))
+        if (asked.info().own_queries &&
+            !same_line(searched_ray(alone->asked(put[i]), contract), questions.queries[ray]))
           replies.apart[ray] = 1;
         if (answers[i].outcome == Outcome::fault) replies.faulty[ray] = 1;
         if (answers[i].outcome != Outcome::hit) continue;
@@ -252,6 +263,8 @@ class Worker {
       add(score.leaks, all, by_contract, BagVerdict::leak);
       add(score.doubles, all, by_contract, BagVerdict::double_hit);
       add(score.displaced, all, by_contract, BagVerdict::wrong_nearest);
+      const BagJudgement order = judge_order(question, alone);
+      add(score.order, order, order, BagVerdict::wrong_order);
     }
     if (!apart && !faulty && closed) {
       const auto [all, by_contract] = judge_both([&](const BagQuestion& q) { return judge_parity(q, alone); });
@@ -304,6 +317,7 @@ LeakScore& LeakScore::operator+=(const LeakScore& more) {
   leaks += more.leaks;
   doubles += more.doubles;
   displaced += more.displaced;
+  order += more.order;
   parity += more.parity;
   apart += more.apart;
   bag_leaks += more.bag_leaks;

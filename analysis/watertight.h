@@ -1,5 +1,5 @@
-// Leaks and double hits, tracer by tracer: bags of triangles whose rays pass through shared edges and vertices, or by
-// an ulp beside them, asked as a whole and one triangle at a time.
+// Leaks, double hits and wrong orders, tracer by tracer: bags of triangles whose rays pass through shared edges and
+// vertices, or by an ulp beside them, through stacks and overlaps, asked as a whole and one triangle at a time.
 //
 // Every tracer is judged on what it was really asked; the truth of a ray is found once for all that search the same
 // range. Same plan, same result, whatever `jobs`.
@@ -17,8 +17,16 @@
 
 namespace plumbline {
 
-/// One column of the table: a family of bags and how it is shot at.
+/// Which table a test is told in.
+enum class LeakTable : unsigned char {
+  shared,   ///< edges and vertices that triangles share: pairs, fans, strips
+  spheres,  ///< the same, of closed spheres
+  layered,  ///< several triangles behind each other or in one plane, a lattice's, and rays all but in a plane
+};
+
+/// One column of a table: a family of bags and how it is shot at.
 struct LeakTest {
+  LeakTable table;
   std::string_view name;
   BagFamily family;
   std::array<BagTarget, 2> targets;  ///< of every other bag
@@ -27,8 +35,8 @@ struct LeakTest {
   int bits, ulps;       ///< as in BagAim
 };
 
-/// Of either precision the same: pairs, fans and strips, by an ulp beside and exactly, and closed spheres from inside
-/// and from outside.
+/// Of either precision the same. From lattice_bags times four rays on (421,200), all bags of the lattice are there;
+/// from twice as many, each is shot at its edge and at a vertex.
 std::span<const LeakTest> leak_tests();
 
 struct LeakPlan {
@@ -55,12 +63,13 @@ struct LeakScore {
   LeakCount leaks = {};      ///< a triangle is crossed and none is hit, or not all of the surfaces that are crossed
   LeakCount doubles = {};    ///< one is hit that isn't crossed, beside those that are
   LeakCount displaced = {};  ///< one is hit that isn't crossed, for one that is
-  LeakCount parity = {};    ///< of closed bags: an odd number of hits where it should be even, or the other way round
-  std::uint64_t apart = 0;  ///< rays not counted above: its interface asked the triangles other lines than the bag
+  LeakCount order = {};      ///< of two that are crossed, the farther is hit at a smaller t
+  LeakCount parity = {};     ///< of closed bags: an odd number of hits where it should be even, or the other way round
+  std::uint64_t apart = 0;   ///< rays not counted above: its interface asked the triangles other lines than the bag
   // The bag as a whole.
-  LeakCount bag_leaks = {};   ///< something is crossed and the answer is a miss
-  LeakCount nearest = {};     ///< the hit is of a triangle that isn't nearest
-  LeakCount false_hits = {};  ///< nothing is there
+  LeakCount bag_leaks = {};          ///< something is crossed and the answer is a miss
+  LeakCount nearest = {};            ///< the hit is of a triangle that isn't nearest
+  LeakCount false_hits = {};         ///< nothing is there
   std::uint64_t culled_leaks = 0;    ///< of bag_leaks, those lost in boxes and traversal, not by the triangle test
   std::uint64_t culled_nearest = 0;  ///< of nearest, likewise
   std::uint64_t faults = 0;          ///< rays without an answer

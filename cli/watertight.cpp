@@ -97,8 +97,8 @@ void add_watertight(CLI::App& app) {
   verb->add_option("--markdown", o.markdown, "Write the tables as Markdown")->type_name("FILE");
   verb->footer(
       "Bags of triangles with an exact truth: pairs that share an edge, fans around a vertex, strips with vertices\n"
-      "within an edge, closed spheres. Rays pass through shared edges and vertices exactly, or by an ulp beside "
-      "them.\n"
+      "within an edge, closed spheres; parallel sheets, overlaps in a plane, all pairs of a small lattice. Rays pass\n"
+      "through shared edges and vertices exactly, or by an ulp beside them, or graze.\n"
       "Each tracer is asked the bag as a whole and its triangles one by one. A leak: something is crossed, the "
       "answer\n"
       "is a miss. A double hit: besides the triangles crossed, another is hit. Both are counted as if edges were\n"

@@ -1,6 +1,5 @@
 // A tracer that is right, but for a planted fault.
 #pragma once
-#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -8,8 +7,7 @@
 #include <vector>
 
 #include "float_tracer/tracer.h"
-#include "oracle/classify.h"
-#include "oracle/measure.h"
+#include "oracle/bag/bag_truth.h"
 
 namespace plumbline {
 
@@ -19,8 +17,8 @@ struct Met {
   double t;
 };
 
-/// What the fault does to the triangles that the ray meets, nearest first. `bag` is how many there
-// are in all.
+/// What the fault does to the triangles that the ray meets, in their exact order. `bag` is how many there
+/// are in all.
 using Fault = std::function<void(std::vector<Met>& met, std::size_t bag)>;
 
 class Faulty final : public Tracer {
@@ -34,10 +32,8 @@ class Faulty final : public Tracer {
       void answer(std::span<const Ray> rays, std::span<Answer> answers) override {
         for (std::size_t i = 0; i < rays.size(); ++i) {
           std::vector<Met> met;
-          for (std::uint32_t k = 0; k < bag.triangles.size(); ++k)
-            if (const Truth truth = classify(bag.triangles[k], rays[i]); crosses(truth))
-              met.push_back({k, truth, measure<double>(bag.triangles[k], rays[i])->t});
-          std::ranges::sort(met, {}, [](const Met& m) { return std::pair(m.t, m.triangle); });
+          for (const BagHit& hit : bag_truth(bag.triangles, rays[i]).hits)
+            met.push_back({hit.triangle, hit.truth, hit.t});
           fault(met, bag.triangles.size());
           if (met.empty()) continue;
           answers[i] = {.outcome = Outcome::hit, .has_t = true, .triangle = met[0].triangle, .t = met[0].t};

@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+#include <set>
 
 #include "analysis/tracers.h"
 #include "analysis/watertight_table.h"
@@ -126,6 +130,65 @@ TEST(Watertight, TellsDisplacedHits) {
   const LeakScore& pair = score(leaks_of(tracer), "pair, ulp");
   EXPECT_GT(pair.nearest.all, few / 2);
   EXPECT_EQ(pair.culled_nearest, 0u);
+}
+
+// Alone, what is farther has the smaller t.
+TEST(Watertight, TellsAWrongOrder) {
+  const Faulty tracer([](std::vector<Met>& met, std::size_t bag) {
+    for (Met& m : met) m.t = bag == 1 ? 10 - m.t : m.t;
+  });
+  const LeakResult result = leaks_of(tracer);
+  const LeakScore& stack = score(result, "sheets");
+  EXPECT_EQ(stack.order.all, few) << "of 3 sheets at least";
+  EXPECT_EQ(stack.order.broken, few);
+  EXPECT_GT(stack.order.worst, 0x1p+20);
+  EXPECT_EQ(stack.leaks.all + stack.doubles.all + stack.nearest.all, 0u);
+  EXPECT_EQ(score(result, "overlap").order.all, 0u) << "what is equally far is in order";
+}
+
+// Of a triangle that lies behind another at the same point, or in the same plane, nothing is told.
+TEST(Watertight, TellsWhatIsMissingInAStack) {
+  const Faulty tracer([](std::vector<Met>& met, std::size_t bag) {
+    if (bag == 1 && !met.empty() && met[0].t < 1) met.clear();
+  });
+  EXPECT_GT(score(leaks_of(tracer), "sheets").leaks.all, few / 2);
+}
+
+TEST(Watertight, LatticeBagsAreFromAllOverIt) {
+  class Keeps final : public Tracer {
+   public:
+    Keeps() : Tracer({.name = "keeps", .summary = "", .source = "", .contract = {}}) {}
+    std::unique_ptr<PreparedBag> prepare(const Bag& bag) const override {
+      const auto of_lattice = [](double x) { return x == 0 || std::fabs(x) == 1; };
+      const auto in_lattice = [&](const Vec3& v) { return of_lattice(v.x) && of_lattice(v.y) && of_lattice(v.z); };
+      if (bag.triangles.size() == 2 && std::ranges::all_of(bag.triangles, [&](const Triangle& t) {
+            return in_lattice(t.a) && in_lattice(t.b) && in_lattice(t.c);
+          })) {
+        const std::lock_guard lock(mutex);
+        bags.push_back(bag.triangles);
+      }
+      struct Prepared final : PreparedBag {
+        void answer(std::span<const Ray>, std::span<Answer>) override {}
+      };
+      return std::make_unique<Prepared>();
+    }
+    mutable std::mutex mutex;
+    mutable std::vector<std::vector<Triangle>> bags;
+  };
+  const Keeps keeps;
+  leaks_of(keeps, 400);
+  ASSERT_EQ(keeps.bags.size(), 200u) << "of four rays each, in both precisions";
+  using Point = std::array<double, 3>;
+  std::set<std::set<Point>> edges;  // that are shared
+  for (const auto& bag : keeps.bags) {
+    const auto corners = [](const Triangle& t) {
+      return std::set<Point>{{t.a.x, t.a.y, t.a.z}, {t.b.x, t.b.y, t.b.z}, {t.c.x, t.c.y, t.c.z}};
+    };
+    std::set<Point> edge = corners(bag[0]);
+    std::erase_if(edge, [other = corners(bag[1])](const Point& p) { return !other.contains(p); });
+    edges.insert(edge);
+  }
+  EXPECT_EQ(edges.size(), 100u) << "counted one by one, the first 300 bags would share one edge";
 }
 
 TEST(Watertight, WhatIsAskedIsJudged) {

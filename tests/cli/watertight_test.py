@@ -31,9 +31,10 @@ class Watertight(unittest.TestCase):
         done = plumbline("watertight", "--tracer", "moller_trumbore_f32", "--tracer", "exact", "--rays", "200",
                          "-o", str(file))
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertIn("closed spheres: 200 rays a column", done.stdout)
+        for title in ("closed spheres", "sheets, overlaps, a lattice, grazing rays"):
+            self.assertIn(title + ": 200 rays a column", done.stdout)
         rows = self.rows(file.read_text())
-        self.assertEqual(len(rows), 9 + 2 * 9)  # of binary64 inputs exact alone
+        self.assertEqual(len(rows), 14 + 2 * 14)  # of binary64 inputs exact alone
         self.assertGreater(int(rows["moller_trumbore_f32", "binary32", "pair, ulp"]["leaks"]), 0)
         self.assertGreater(int(rows["moller_trumbore_f32", "binary32", "fan, ulp"]["doubles"]), 0)
         for (tracer, *_), row in rows.items():
