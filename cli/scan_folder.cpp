@@ -1,8 +1,12 @@
 #include "cli/scan_folder.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <iterator>
 
@@ -42,6 +46,15 @@ ScanFolder::ScanFolder(const std::string& path, const ScanPlan& plan, std::uint6
   for (const ScanSet& set : plan.sets) plan_line_ += fmt::format(" | {} {}", set.name, set.size);
   for (const Tracer* tracer : plan.tracers) plan_line_ += " | " + identity(*tracer);
   make_folder(path_ / "findings");
+  lock_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    close(lock_);
+    throw InputError(fmt::format("{}: another scan is at work in it; wait for its end, or name a new folder", path));
+  }
+}
+
+ScanFolder::~ScanFolder() {
+  if (lock_ >= 0) close(lock_);
 }
 
 ScanState ScanFolder::begin(const ScanPlan& plan) const {

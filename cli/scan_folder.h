@@ -11,8 +11,11 @@ namespace plumbline {
 
 class ScanFolder {
  public:
-  /// No path: nothing is kept. Made where there is none; throws InputError where it can't be.
+  /// No path: nothing is kept. Made where there is none; throws InputError where it can't be, or another scan is at
+  /// work in it.
   ScanFolder(const std::string& path, const ScanPlan& plan, std::uint64_t seed);
+  ~ScanFolder();
+  ScanFolder(const ScanFolder&) = delete;
 
   /// What was done before; blank where nothing was. Throws InputError where the folder is another scan's.
   ScanState begin(const ScanPlan& plan) const;
@@ -26,6 +29,7 @@ class ScanFolder {
 
  private:
   std::filesystem::path path_;
+  int lock_ = -1;          // the folder, open and locked
   std::string plan_line_;  // of which the state is: mesh, seed, sets of rays, tracers
 };
 

@@ -128,6 +128,17 @@ class Scan(unittest.TestCase):
             self.assertRegex(done.stderr, said)
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
 
+    def test_two_scans_at_once_in_one_folder(self):
+        command = [PROGRAM, "scan", self.mesh, "--tracer", "exact", "--rays", "100000000", "-o", self.folder / "twice"]
+        first = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while not (self.folder / "twice" / "scan.state").exists() and first.poll() is None:
+            time.sleep(0.01)
+        second = subprocess.run(command, capture_output=True, text=True)
+        first.kill()
+        first.wait()
+        self.assertEqual(second.returncode, 2)
+        self.assertRegex(second.stderr, r"twice: another scan is at work in it; wait for its end, or name a new folder\n\Z")
+
     def test_another_scan_in_the_folder_is_left_alone(self):
         self.scan("mine", "--rays", 1000, "--no-shrink")
         before = (self.folder / "mine" / "scan.state").read_text()
