@@ -1,19 +1,26 @@
 #include "analysis/bag_shrink.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
+#include <span>
 #include <tuple>
 #include <vector>
 
 #include "analysis/ask.h"
+#include "analysis/hard_steps.h"
 #include "analysis/shrink.h"
 #include "analysis/simpler_number.h"
+#include "case/float_bits.h"
 #include "case/precision.h"
+#include "case/random.h"
+#include "oracle/boundary.h"
 
 namespace plumbline {
 namespace {
 
+constexpr std::size_t few_triangles = 4;  // up to which a ray is put back onto its edge
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // A case whose triangles share their vertices, so that moving one keeps them together.
@@ -50,6 +57,10 @@ struct SharedBag {
     add(rest.ray.direction);
     list.insert(list.end(), {&rest.ray.t_min, &rest.ray.t_max});
     return list;
+  }
+
+  void round() {
+    for (double* number : numbers()) *number = at_precision(*number, rest.precision);
   }
 
   unsigned weight() {
@@ -130,7 +141,7 @@ class Shrinker {
   }
 
   bool take(SharedBag simpler) {
-    for (double* number : simpler.numbers()) *number = at_precision(*number, best_.precision);
+    simpler.round();
     if (!(simpler.weight() < SharedBag(best_).weight())) return false;
     return take(simpler.to_case());
   }
@@ -187,6 +198,45 @@ class Shrinker {
     take(simpler);
   }
 
+  // Simplifies some numbers hard, and solves one coordinate to put the ray back on a boundary of a triangle, or a few
+  // ulps beside.
+  bool repair() {
+    bool any = false;
+    for (int i = 0; i < 4000; ++i) {
+      SharedBag x(best_);
+      auto numbers = x.numbers();
+      simplify_hard(std::span(numbers).first(numbers.size() - 2), digits(), random_);
+      x.round();
+      const auto& [a, b, c] = x.triangles[random_.below(x.triangles.size())];
+      const std::size_t at = random_.below(15);
+      // The solver counts the ray's coordinates first.
+      const std::size_t corner = std::array{a, b, c}[at < 6 ? 0 : at / 3 - 2], rays = 3 * x.vertices.size();
+      double& solved = *numbers[at < 6 ? rays + at : 3 * corner + at % 3];
+      solved = 0;
+      if (!(x.weight() < SharedBag(best_).weight())) continue;
+      const auto decision = static_cast<Decision>(random_.below(6));
+      const auto root = boundary({x.vertices[a], x.vertices[b], x.vertices[c]}, x.rest.ray, decision,
+                                 static_cast<int>(at), best_.precision);
+      if (root) any = take_near(x, solved, *root) || any;
+    }
+    return any;
+  }
+
+  bool take_near(SharedBag& x, double& solved, double root) {
+    for (const int ulps : {0, 1, -1, 2, -2, 3, -3}) {
+      solved = best_.precision == Precision::binary32 ? double{step_ulps(static_cast<float>(root), ulps)}
+                                                      : step_ulps(root, ulps);
+      if (take(x)) return true;
+    }
+    for (int bits = 2; bits < digits(); bits += 4) {
+      solved = rounded_to_bits(root, bits, 0);
+      if (take(x)) return true;
+    }
+    return false;
+  }
+
+  int digits() const { return best_.precision == Precision::binary32 ? 24 : 53; }
+
   void simplify_numbers() {
     constexpr int rounds = 20;
     for (int round = 0; round < rounds; ++round) {
@@ -194,6 +244,7 @@ class Shrinker {
       const std::size_t count = SharedBag(best_).numbers().size();
       for (std::size_t i = 0; i < count && i < SharedBag(best_).numbers().size(); ++i)
         simpler = simplify_number(i) || simpler;
+      if (best_.bag.triangles.size() <= few_triangles) simpler = repair() || simpler;
       if (!simpler) return;
     }
   }
@@ -201,6 +252,7 @@ class Shrinker {
   const Tracer& tracer_;
   BagSignature wanted_;
   Case best_;
+  Random random_{7, 0};
   std::uint64_t tries_ = 0;
 };
 

@@ -4,9 +4,10 @@
 // Triangles are taken away in halves, quarters and so on, down to one by one (delta debugging: Zeller and Hildebrandt,
 // IEEE Transactions on Software Engineering 28(2), 2002). Then every coordinate of a vertex, which its triangles keep
 // sharing, and of the ray is rounded to as few bits as may be, over and over until nothing changes; before that the bag
-// is moved towards the origin, where it still is wrong there. Simpler is as in shrink.h. Every step is examined by
-// tracer and oracle; the same case and tracer give the same result. Of a death triangles alone are taken away: each try
-// may be a hang, and take all the time that the tracer is allowed.
+// is moved towards the origin, where it still is wrong there. Of up to four triangles, numbers are also simplified hard
+// and one coordinate is solved for exactly, which puts the ray back onto its knife's edge. Simpler is as in shrink.h.
+// Every step is examined by tracer and oracle; the same case and tracer give the same result. Of a death triangles
+// alone are taken away: each try may be a hang, and take all the time that the tracer is allowed.
 #pragma once
 #include <cstdint>
 #include <optional>

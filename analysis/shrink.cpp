@@ -4,8 +4,10 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
+#include "analysis/hard_steps.h"
 #include "analysis/simpler_number.h"
 #include "case/float_bits.h"
 #include "case/precision.h"
@@ -103,9 +105,12 @@ class Shrinker {
         s->boundary != wanted_.boundary || s->lucky != wanted_.lucky)
       return false;
     switch (keep_) {
-      case Keep::simple: return true;
-      case Keep::nominal: return s->conditioning == wanted_.conditioning;
-      case Keep::worst: return *s == wanted_ && e.severity_ulps() >= severity_ / 2;
+      case Keep::simple:
+        return true;
+      case Keep::nominal:
+        return s->conditioning == wanted_.conditioning;
+      case Keep::worst:
+        return *s == wanted_ && e.severity_ulps() >= severity_ / 2;
     }
     return false;
   }
@@ -188,7 +193,10 @@ class Shrinker {
   void number(std::size_t i, bool& any) {
     const auto try_ = [&](auto change) { any |= with([&](Numbers& n) { n[i] = change(n[i]); }); };
     for (const double v : {0.0, 1.0, -1.0, 2.0, -2.0, 0.5, -0.5, 3.0, 4.0}) try_([v](double) { return v; });
-    for (std::size_t j = 0; j < 15; ++j) any |= with([&](Numbers& n) { if (j < n.coordinates) n[i] = n[j]; });
+    for (std::size_t j = 0; j < 15; ++j)
+      any |= with([&](Numbers& n) {
+        if (j < n.coordinates) n[i] = n[j];
+      });
     for (int bits = 1; bits < digits(); ++bits)
       for (int direction = -1; direction <= 1; ++direction)
         try_([&](double v) { return rounded_to_bits(v, bits, direction); });
@@ -203,7 +211,8 @@ class Shrinker {
   // Simplifies some numbers hard, and solves one coordinate to be back on a boundary, or a few ulps beside.
   bool repairs() {
     bool any = false;
-    for (int i = 0; i < 4000; ++i) any |= repaired([this](Numbers& n) { simplify_hard(n); });
+    for (int i = 0; i < 4000; ++i)
+      any |= repaired([this](Numbers& n) { simplify_hard(std::span(n.all).first(n.coordinates), digits(), random_); });
     return any;
   }
   // The same with many numbers, or all, that have nothing to do with the case: small integers and powers of two.
@@ -213,7 +222,7 @@ class Shrinker {
       any |= repaired([this](Numbers& n) {
         const auto kept = random_.below(4);
         for (std::size_t k = 0; k < n.coordinates; ++k)
-          if (random_.below(4) >= kept) n[k] = plain_number();
+          if (random_.below(4) >= kept) n[k] = plain_number(digits(), random_);
       });
     return any;
   }
@@ -245,38 +254,6 @@ class Shrinker {
     }
     return false;
   }
-  double plain_number() {
-    constexpr std::array<double, 10> plain = {0, 0, 1, -1, 2, -2, 0.5, 4, 3, -3};
-    const auto i = random_.below(plain.size() + 2);
-    if (i < plain.size()) return plain[i];
-    const double power = std::ldexp(1.0, static_cast<int>(random_.integer(-digits(), 8)));
-    return random_.chance(2) ? power : -power;
-  }
-  void simplify_hard(Numbers& n) {
-    const auto mask = random_.bits();
-    const int bits = 1 + static_cast<int>(random_.below(random_.chance(2) ? 4 : 12));
-    switch (random_.below(4)) {
-      case 0:
-        for (std::size_t i = 0; i < n.coordinates; ++i)
-          if ((mask >> i & 1) != 0) n[i] = rounded_to_bits(n[i], bits, 0);
-        return;
-      case 1: {
-        const std::size_t p = random_.below(n.coordinates / 3);
-        for (std::size_t i = 3 * p; i < 3 * p + 3; ++i) n[i] = static_cast<double>(random_.integer(-bits, bits));
-        return;
-      }
-      case 2:
-        for (auto k = 1 + random_.below(3); k > 0; --k) n[random_.below(n.coordinates)] = plain_number();
-        return;
-      default: {
-        const double grid = std::ldexp(1.0, 2 - static_cast<int>(random_.below(12)));
-        const bool all = !random_.chance(4);
-        for (std::size_t i = 0; i < n.coordinates; ++i)
-          if (all || (mask >> i & 1) != 0) n[i] = grid * std::nearbyint(n[i] / grid);
-      }
-    }
-  }
-
   // A few numbers changed at once, by chance.
   bool chances() {
     bool any = false;
@@ -286,9 +263,15 @@ class Shrinker {
           double& v = n[random_.below(n.coordinates)];
           const int bits = 1 + static_cast<int>(random_.below(12));
           switch (random_.below(4)) {
-            case 0: v = plain_number(); break;
-            case 1: v = rounded_to_bits(v, 2 * bits, static_cast<int>(random_.below(3)) - 1); break;
-            case 2: v = n[random_.below(n.coordinates)]; break;
+            case 0:
+              v = plain_number(digits(), random_);
+              break;
+            case 1:
+              v = rounded_to_bits(v, 2 * bits, static_cast<int>(random_.below(3)) - 1);
+              break;
+            case 2:
+              v = n[random_.below(n.coordinates)];
+              break;
             default:
               v = rounded_to_bits(v, bits, 0) +
                   std::ldexp(static_cast<double>(random_.integer(-1, 1)), std::ilogb(is_zero(v) ? 1 : v) - bits + 1);
