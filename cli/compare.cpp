@@ -1,19 +1,15 @@
 #include "analysis/compare.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <deque>
 #include <filesystem>
-#include <optional>
 
 #include "analysis/compare_table.h"
 #include "analysis/tracers.h"
 #include "case/enum_names.h"
 #include "case/input_error.h"
-#include "cli/interruption.h"
+#include "cli/long_run.h"
 #include "cli/number_options.h"
-#include "cli/output.h"
 #include "cli/verb.h"
 
 namespace plumbline {
@@ -57,35 +53,24 @@ void show_progress(std::uint64_t done, std::uint64_t planned) {
 
 void run(const Options& options) {
   const ComparePlan plan = plan_of(options);
-  std::deque<Output> files;  // opened before the work: better told now than in an hour
+  std::vector<ResultFile<CompareResult>> wanted;
   if (!options.directory.empty()) {
     std::error_code error;
     std::filesystem::create_directories(options.directory, error);
     if (error)
       throw InputError(fmt::format("{}: cannot be made a folder: {}; write elsewhere", options.directory, error.message()));
-    for (const char* file : {"/table.md", "/compare.json", "/worst.case"}) files.emplace_back(options.directory + file);
+    wanted = {{options.directory + "/table.md", to_markdown},
+              {options.directory + "/compare.json", to_json_lines},
+              {options.directory + "/worst.case", to_cases}};
   }
-  std::optional<Interruption> interruption(std::in_place);
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  const CompareResult result = compare(plan, interruption->came(), terminal ? show_progress : CompareProgress());
-  const bool interrupted = interruption->came();
-  interruption.reset();
-  if (terminal) fmt::print(stderr, "\r\x1b[K");
-
-  if (!files.empty()) {
-    files[0].write(to_markdown(result));
-    files[1].write(to_json_lines(result));
-    files[2].write(to_cases(result));
-    for (Output& file : files) file.finish();
-  }
-  Output output;
-  output.write(options.json ? to_json_lines(result) : to_terminal(result));
-  output.finish();
-  for (std::size_t i = 0; i < plan.tracers.size(); ++i)
-    fmt::print(stderr, "{}", complaints(plan.tracers[i]->info().name, result.conduct[i]));
-  if (interrupted)
-    throw std::runtime_error(fmt::format("interrupted after {} of {} cases: what is printed is of these", result.done,
-                                         plan.count * plan.families.size()));
+  ResultFiles<CompareResult> files(std::move(wanted));
+  const CompareResult result =
+      run_long(show_progress, [&](const auto& stop, const auto& progress) { return compare(plan, stop, progress); });
+  files.finish(result, options.json ? to_json_lines(result) : to_terminal(result));
+  complain(plan.tracers, result.conduct);
+  if (const std::uint64_t planned = plan.count * plan.families.size(); result.done < planned)
+    throw std::runtime_error(
+        fmt::format("interrupted after {} of {} cases: what is printed is of these", result.done, planned));
 }
 
 }  // namespace

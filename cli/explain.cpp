@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -22,6 +23,7 @@ namespace {
 
 struct Options {
   std::string file, id, tracer;
+  bool all = false;
   ForeignOptions foreign;
   std::array<std::string, 9> triangle;
   std::array<std::string, 6> ray;
@@ -62,31 +64,52 @@ std::vector<Case> cases_of(const Options& options) {
   return cases;
 }
 
-// What is true of the triangles together, and the verdict on what is hit first.
-std::string text_of_several(const Case& put, const Tracer* tracer) {
-  const auto all = [&](const Query& query, const BagTruth& truth) {
-    return "\n" + explain_bag(put.bag.triangles, query, truth);
-  };
-  std::string text = "\nTogether:\n" + all(put.ray, bag_truth(put.bag.triangles, put.ray));
-  if (!tracer) return text;
-  const TracerInfo& info = tracer->info();
-  const BagExamination e = examine_bag(*tracer, put);
-  fmt::print(stderr, "{}", complaints(info.name, e.conduct));
-  text += fmt::format("\ntracer     {}\n", info.name);
-  if (info.own_queries) text += "\nThe tracer is asked this instead:\n" + all(e.query, e.truth) + "\n";
-  text += explain_bag_verdict({put.bag.triangles, e.query, e.truth, info.contract}, e.answer, e.judgement);
-  if (const auto found = signature(e)) text += fmt::format("signature  {}\n", to_word(*found));
-  if (e.culling)
-    text += "           asked with one of these triangles alone it hits it: lost in its boxes or traversal\n";
+constexpr std::size_t most_explained = 8;
+
+// Each triangle alone, those first that are concerned; of many only these.
+std::string each_alone(const Case& put, const Query& query, std::vector<std::uint32_t> list, bool all) {
+  const std::size_t count = put.bag.triangles.size();
+  if (all || count <= most_explained) {
+    for (std::uint32_t i = 0; i < count; ++i)
+      if (std::ranges::find(list, i) == list.end()) list.push_back(i);
+  } else if (list.size() > most_explained) {
+    list.resize(most_explained);
+  }
+  std::string text;
+  for (const std::uint32_t i : list)
+    text += fmt::format("\ntriangle {}\n{}", i, explain_triangle(put.bag.triangles[i], query));
+  if (list.size() < count)
+    text += fmt::format("\n{} of {} triangles are left out, which matter less: --all tells of each\n",
+                        count - list.size(), count);
   return text;
 }
 
-std::string text_of(const Case& asked, const Tracer* tracer) {
+// The verdict on what is hit first, what is true of all together, and of each alone.
+std::string text_of_several(const Case& put, const Tracer* tracer, bool all) {
+  const std::vector<Triangle>& triangles = put.bag.triangles;
+  const BagTruth truth = bag_truth(triangles, put.ray);
+  const std::string given = "\n" + explain_bag(triangles, put.ray, truth);
+  if (!tracer) return given + each_alone(put, put.ray, concerned({triangles, put.ray, truth, {}}), all);
+  const TracerInfo& info = tracer->info();
+  const BagExamination e = examine_bag(*tracer, put);
+  fmt::print(stderr, "{}", complaints(info.name, e.conduct));
+  const BagQuestion question{triangles, e.query, e.truth, info.contract};
+  std::string text = fmt::format("\ntracer     {}\n", info.name);
+  text += explain_bag_verdict(question, e.answer, e.judgement);
+  if (const auto found = signature(e)) text += fmt::format("signature  {}\n", to_word(*found));
+  if (e.culling)
+    text += "           asked with one of these triangles alone it hits it: lost in its boxes or traversal\n";
+  if (info.own_queries) text += given + "\nThe tracer is asked this instead:\n";
+  text += "\n" + explain_bag(triangles, e.query, e.truth);
+  return text + each_alone(put, e.query, concerned(question, e.answer, e.judgement), all);
+}
+
+std::string text_of(const Case& asked, const Tracer* tracer, bool all) {
   std::string text = fmt::format("case {}\n", asked.id);
   for (const std::string& line : asked.provenance) text += fmt::format("# {}\n", line);
   const Case put = tracer ? put_at(asked, tracer->info().contract.precision) : asked;
-  for (const Triangle& triangle : put.bag.triangles) text += "\n" + explain(triangle, put.ray);
-  if (put.bag.triangles.size() > 1) return text + text_of_several(put, tracer);
+  if (put.bag.triangles.size() > 1) return text + text_of_several(put, tracer, all);
+  text += "\n" + explain(put.bag.triangles.front(), put.ray);
   if (!tracer) return text;
   text += fmt::format("\ntracer     {}\n", tracer->info().name);
   const Reply reply = ask(*tracer, put);
@@ -100,7 +123,7 @@ void run(const Options& options) {
   Output output;
   bool first = true;
   for (const Case& asked : cases_of(options)) {
-    output.write((first ? "" : "\n\n") + text_of(asked, tracer));
+    output.write((first ? "" : "\n\n") + text_of(asked, tracer, options.all));
     first = false;
   }
   output.finish();
@@ -130,12 +153,14 @@ void add_explain(CLI::App& app) {
       ->needs(triangle);
   verb->add_option("--tracer", options->tracer, "Ask this tracer too, at its precision, and explain the verdict")
       ->type_name("NAME");
+  verb->add_flag("--all", options->all, "Of more than 8 triangles, tell of each, not only of those that matter");
   add_tracer_timeout(*verb, options->foreign);
   verb->footer(
       "A number is a decimal, a hexfloat (0x1.8p+0), inf, -inf or nan. What is not finite makes the case invalid, but\n"
       "for infinite ends of the range, and the reason is told. A .case file takes no nan.\n"
-      "Of several triangles each is explained, then where the ray meets them, in exact order; a tracer is asked about\n"
-      "all of them at once, and judged by what it hits first.\n\n" +
+      "Of several triangles: where the ray meets them, in exact order, then each alone. A tracer is asked about all\n"
+      "of them at once and judged by what it hits first; the verdict comes before all else. Of more than 8 triangles\n"
+      "only those are told alone, at most 8, that had to be hit, were reported, or are met.\n\n" +
       std::string(foreign_tracers_help) +
       "\nExample:\n"
       "  plumbline explain --triangle 0 0 0  1.5 0 0  0 1.5 0 --ray 0.75 0.75 5  0 0 -1 --tracer brlcad_bot_hlbvh");

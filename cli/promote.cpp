@@ -73,11 +73,10 @@ void add_promote(CLI::App& app) {
                  "one that runs all its cases with CTest, by an installed Plumbline");
   add_tracer_timeout(*verb, options->foreign);
   verb->footer(
-      "Shrinks the worst case, its condition kept, and writes it with where it comes from, what the oracle says of "
-      "it, and a\n"
-      "line 'known', so that replay passes while the tracer is wrong and tells when it isn't. Prints the path. "
-      "Another case is\n"
-      "never overwritten: it becomes NAME-2.case. The same finding again is the same file.\n"
+      "Shrinks the worst case, or the simplest where only that shows the finding still, its condition kept. Writes it\n"
+      "with where it comes from, what the oracle says of it, and a line 'known', so that replay passes while the\n"
+      "tracer is wrong and tells when it isn't. Prints the path. Another case is never overwritten: it becomes\n"
+      "NAME-2.case. The same finding again is the same file.\n"
       "\nExample:\n"
       "  plumbline promote found.db 1 regressions && plumbline replay regressions --tracer moller_trumbore_f64");
   verb->callback([options] { run(*options); });

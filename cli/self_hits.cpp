@@ -1,16 +1,13 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
 #include <thread>
 
 #include "analysis/self_hits_table.h"
 #include "analysis/tracers.h"
-#include "cli/interruption.h"
+#include "cli/long_run.h"
 #include "cli/number_options.h"
-#include "cli/output.h"
 #include "cli/tracer_options.h"
 #include "cli/verb.h"
 
@@ -49,28 +46,16 @@ void show_progress(std::uint64_t done, std::uint64_t planned) {
 
 void run(const Options& options) {
   const SelfHitPlan plan = plan_of(options);
-  std::optional<Output> file;
-  if (!options.file.empty()) file.emplace(options.file);  // opened before the work: better told now than in a minute
-  std::optional<Interruption> interruption(std::in_place);
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  const SelfHitResult result = measure_self_hits(plan, interruption->came(), terminal ? show_progress : SelfHitProgress());
-  const bool interrupted = interruption->came();
-  interruption.reset();
-  if (terminal) fmt::print(stderr, "\r\x1b[K");
-
-  if (file) {
-    file->write(self_hits_csv(result));
-    file->finish();
-  }
-  Output output;
-  output.write(to_terminal(result));
-  output.finish();
-  for (std::size_t i = 0; i < plan.tracers.size(); ++i)
-    fmt::print(stderr, "{}", complaints(plan.tracers[i]->info().name, result.conduct[i]));
-  if (interrupted)
-    throw std::runtime_error(
-        fmt::format("interrupted after {} of {} pairs of tracer and family: what is written is of these", result.done,
-                    plan.tracers.size() * plan.families.size()));
+  std::vector<ResultFile<SelfHitResult>> wanted;
+  if (!options.file.empty()) wanted.push_back({options.file, self_hits_csv});
+  ResultFiles<SelfHitResult> files(std::move(wanted));
+  const SelfHitResult result = run_long(
+      show_progress, [&](const auto& stop, const auto& progress) { return measure_self_hits(plan, stop, progress); });
+  files.finish(result, to_terminal(result));
+  complain(plan.tracers, result.conduct);
+  if (const std::uint64_t planned = plan.tracers.size() * plan.families.size(); result.done < planned)
+    throw std::runtime_error(fmt::format(
+        "interrupted after {} of {} pairs of tracer and family: what is written is of these", result.done, planned));
 }
 
 std::string families_help() {

@@ -1,9 +1,7 @@
 #include "analysis/sweep.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <deque>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -15,9 +13,8 @@
 #include "case/enum_names.h"
 #include "case/input_error.h"
 #include "cli/findings_option.h"
-#include "cli/interruption.h"
 #include "cli/lattice_options.h"
-#include "cli/output.h"
+#include "cli/long_run.h"
 #include "cli/tracer_options.h"
 #include "cli/verb.h"
 #include "findings/collector.h"
@@ -66,12 +63,7 @@ SweepPlan plan_of(const SweepOptions& options) {
   return plan;
 }
 
-using Render = std::string (*)(const SweepResult&);
-
-struct File {
-  std::string path;
-  Render render;
-};
+using File = ResultFile<SweepResult>;
 
 std::vector<File> files_of(const SweepOptions& options) {
   std::vector<File> files;
@@ -137,30 +129,19 @@ void run_sweep(const SweepOptions& options) {
     feed.emplace(options.store);
     plan.on_wrong = [&feed](const WrongAnswer& wrong) { feed->add(wrong); };
   }
-  const auto files = files_of(options);
-  check_distinct(files);
+  std::vector<File> wanted = files_of(options);
+  check_distinct(wanted);
   if (!options.directory.empty()) make_directory(options.directory);
-  std::deque<Output> outputs;  // opened before the work: better told now than in an hour
-  for (const File& file : files) outputs.emplace_back(file.path);
-
-  std::optional<Interruption> interruption(std::in_place);
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  const SweepResult result = sweep(plan, interruption->came(), terminal ? show_progress : SweepProgress());
-  interruption.reset();
-  if (terminal) fmt::print(stderr, "\r\x1b[K");  // the progress goes, the table comes
-
+  ResultFiles<SweepResult> files(std::move(wanted));
+  const SweepResult result =
+      run_long(show_progress, [&](const auto& stop, const auto& progress) { return sweep(plan, stop, progress); });
   const bool partial = result.done.end != plan.triples.end;
-  if (partial) outputs.clear();
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    outputs[i].write(files[i].render(result));
-    outputs[i].flush();
-  }
-  Output table;  // behind the files: one that can't be written is better told without it
-  table.write(options.json ? to_json_lines(result) : to_terminal(result));
-  table.finish();
-  for (Output& output : outputs) output.finish();
-  for (std::size_t i = 0; i < plan.tracers.size(); ++i)
-    fmt::print(stderr, "{}", complaints(plan.tracers[i]->info().name, result.conduct[i]));
+  const std::string text = options.json ? to_json_lines(result) : to_terminal(result);
+  if (partial)
+    files.give_up(text);
+  else
+    files.finish(result, text);
+  complain(plan.tracers, result.conduct);
   if (feed) feed->finish(result);
   if (partial)
     throw std::runtime_error(

@@ -23,8 +23,8 @@ std::string explain_several(const Case& what, const Tracer* tracer) {
   const std::vector<Triangle>& triangles = what.bag.triangles;
   if (!tracer) return explain_bag(triangles, what.ray, bag_truth(triangles, what.ray));
   const BagExamination e = examine_bag(*tracer, what);
-  return explain_bag(triangles, e.query, e.truth) +
-         explain_bag_verdict({triangles, e.query, e.truth, tracer->info().contract}, e.answer, e.judgement);
+  return explain_bag_verdict({triangles, e.query, e.truth, tracer->info().contract}, e.answer, e.judgement) +
+         explain_bag(triangles, e.query, e.truth);
 }
 
 std::string text_of(std::string_view title, const FindingRow& row, const FoundCase& found) {

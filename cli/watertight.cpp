@@ -1,17 +1,13 @@
 #include "analysis/watertight.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <deque>
-#include <optional>
 #include <thread>
 
 #include "analysis/tracers.h"
 #include "analysis/watertight_table.h"
-#include "cli/interruption.h"
+#include "cli/long_run.h"
 #include "cli/number_options.h"
-#include "cli/output.h"
 #include "cli/tracer_options.h"
 #include "cli/verb.h"
 
@@ -41,34 +37,18 @@ void run(const Options& options) {
       .rays = options.rays,
       .seed = options.seed,
       .jobs = options.jobs};
-  struct File {
-    const std::string& path;
-    std::string (*render)(const LeakResult&);
-  };
-  std::vector<File> files;
-  if (!options.csv.empty()) files.push_back({options.csv, to_csv});
-  if (!options.markdown.empty()) files.push_back({options.markdown, to_markdown});
-  std::deque<Output> outputs;  // opened before the work: better told now than in an hour
-  for (const File& file : files) outputs.emplace_back(file.path);
-
-  std::optional<Interruption> interruption(std::in_place);
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  const LeakResult result = find_leaks(plan, interruption->came(), terminal ? show_progress : LeakProgress());
-  interruption.reset();
-  if (terminal) fmt::print(stderr, "\r\x1b[K");  // the progress goes, the table comes
-
+  std::vector<ResultFile<LeakResult>> wanted;
+  if (!options.csv.empty()) wanted.push_back({options.csv, to_csv});
+  if (!options.markdown.empty()) wanted.push_back({options.markdown, to_markdown});
+  ResultFiles<LeakResult> files(std::move(wanted));
+  const LeakResult result = run_long(
+      show_progress, [&](const auto& stop, const auto& progress) { return find_leaks(plan, stop, progress); });
   const bool partial = result.done < result.planned;
-  if (partial) outputs.clear();
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    outputs[i].write(files[i].render(result));
-    outputs[i].flush();
-  }
-  Output table;  // behind the files: one that can't be written is better told without it
-  table.write(to_terminal(result));
-  table.finish();
-  for (Output& output : outputs) output.finish();
-  for (std::size_t i = 0; i < plan.tracers.size(); ++i)
-    fmt::print(stderr, "{}", complaints(plan.tracers[i]->info().name, result.conduct[i]));
+  if (partial)
+    files.give_up(to_terminal(result));
+  else
+    files.finish(result, to_terminal(result));
+  complain(plan.tracers, result.conduct);
   if (partial)
     throw std::runtime_error(fmt::format(
         "interrupted after {} of {} bags: this is of these, a share of each column, and no file is written",

@@ -1,5 +1,7 @@
 #include "findings/found.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 
 #include "analysis/ask.h"
@@ -11,24 +13,18 @@
 
 namespace plumbline {
 
-FoundFinding found_finding(const TracerInfo& tracer, const Signature& signature, double ulps, const Case& what,
-                           std::string source) {
-  const FuzzInput numbers{
-      .precision = tracer.contract.precision, .triangle = what.bag.triangles.front(), .ray = what.ray};
-  FoundFinding f{.tracer = tracer.name,
-                 .signature = to_word(signature),
-                 .kind = signature.kind,
-                 .element = signature.element,
-                 .conditioning = signature.conditioning,
-                 .found = {.ulps = ulps, .bits = significant_bits(numbers), .what = what},
-                 .build = build_line(tracer),
-                 .source = std::move(source),
-                 .seen = {}};
+namespace {
+
+// What is the same of one triangle and of several.
+FoundFinding found_in(const TracerInfo& tracer, FoundCase found, std::string source) {
+  FoundFinding f;
+  f.tracer = tracer.name;
+  f.found = std::move(found);
   f.found.what.precision = tracer.contract.precision;
+  f.build = build_line(tracer);
+  f.source = std::move(source);
   return f;
 }
-
-namespace {
 
 FindingKind kind(BagVerdict verdict, std::size_t triangles) {
   switch (verdict_kind(verdict)) {
@@ -68,20 +64,27 @@ Conditioning conditioning(const Case& what, const Contract& contract, BagVerdict
 
 }  // namespace
 
+FoundFinding found_finding(const TracerInfo& tracer, const Signature& signature, double ulps, const Case& what,
+                           std::string source) {
+  const FuzzInput numbers{
+      .precision = tracer.contract.precision, .triangle = what.bag.triangles.front(), .ray = what.ray};
+  FoundFinding f =
+      found_in(tracer, {.ulps = ulps, .bits = significant_bits(numbers), .what = what}, std::move(source));
+  f.signature = to_word(signature);
+  f.kind = signature.kind;
+  f.element = signature.element;
+  f.conditioning = signature.conditioning;
+  return f;
+}
+
 FoundFinding found_bag_finding(const TracerInfo& tracer, const BagSignature& signature, const BagJudgement& judgement,
                                const Case& what, std::string source) {
-  const Conditioning condition = conditioning(what, tracer.contract, signature.verdict);
-  std::string word = to_word(signature);
-  if (condition != Conditioning::nominal) word += "-" + std::string(name(condition));
-  FoundFinding f{.tracer = tracer.name,
-                 .signature = std::move(word),
-                 .kind = kind(signature.verdict, what.bag.triangles.size()),
-                 .conditioning = condition,
-                 .found = {.ulps = judgement.ulps, .bits = significant_bits(what), .what = what},
-                 .build = build_line(tracer),
-                 .source = std::move(source),
-                 .seen = {}};
-  f.found.what.precision = tracer.contract.precision;
+  FoundFinding f =
+      found_in(tracer, {.ulps = judgement.ulps, .bits = significant_bits(what), .what = what}, std::move(source));
+  f.kind = kind(signature.verdict, what.bag.triangles.size());
+  f.conditioning = conditioning(what, tracer.contract, signature.verdict);
+  f.signature = to_word(signature);
+  if (f.conditioning != Conditioning::nominal) f.signature += fmt::format("-{}", name(f.conditioning));
   return f;
 }
 

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 
 #include "analysis/bag_shrink.h"
 #include "analysis/found_case.h"
@@ -18,6 +20,7 @@
 #include "case/folder.h"
 #include "case/input_error.h"
 #include "case/printable.h"
+#include "findings/found.h"
 #include "float_tracer/plugin.h"
 
 namespace plumbline {
@@ -68,47 +71,66 @@ std::string content(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-}  // namespace
+// A case that a row keeps, and what the tracer gets wrong of it now.
+struct Kept {
+  std::string_view name;
+  const Case& what;
+  std::optional<FoundFinding> now;
+};
 
-namespace {
+std::string told(const Kept& kept) {
+  return fmt::format("its {} case {}", kept.name, kept.now ? "otherwise wrong (" + kept.now->signature + ")" : "right");
+}
 
-[[noreturn]] void fail_as_right(const FindingRow& row) {
-  throw InputError(
-      fmt::format("finding {}: {} gets its worst case right now; 'plumbline triage retest' closes what is fixed",
-                  row.id, printable(row.tracer)));
+// Of the cases kept, the one that shows the finding still: the worst before the simplest. The same signature comes
+// before the same kind, which is all that those share whose answers were read and not asked for (finding_in_answer).
+Kept still_shown(const FindingRow& row, const Tracer& tracer) {
+  std::array<Kept, 2> kept{{{"worst", row.worst.what, {}}, {"simplest", row.simplest.what, {}}}};
+  for (Kept& k : kept) k.now = ask_for_finding(tracer, k.what, "");
+  for (Kept& k : kept)
+    if (k.now && k.now->signature == row.signature) return k;
+  for (Kept& k : kept)
+    if (k.now && k.now->kind == row.kind) return k;
+  throw InputError(fmt::format(
+      "finding {}: {} gets {} and {} now; {}", row.id, printable(row.tracer), told(kept[0]), told(kept[1]),
+      kept[0].now || kept[1].now ? "'plumbline triage set' closes it, and a new search lists what is wrong now"
+                                 : "'plumbline triage retest' closes what is fixed"));
 }
 
 // Of several triangles, of which fewer may be left.
-Case promoted_bag(const FindingRow& row, const Tracer& tracer) {
-  const auto shrunk = shrink_bag(row.worst.what, tracer);
-  if (!shrunk) fail_as_right(row);
+Case shrunk_bag(const Case& what, const Tracer& tracer) {
+  const auto shrunk = shrink_bag(what, tracer);
+  if (!shrunk) return what;
   Case simple = shrunk->what;
-  simple.provenance = row.worst.what.provenance;
+  simple.provenance = what.provenance;
   simple.provenance.push_back(fmt::format(
       "shrunk from {} triangles to {}, from {} to {} significant bits: severity {:.6g} ulps of the largest coordinate, "
       "{}",
-      row.worst.what.bag.triangles.size(), simple.bag.triangles.size(), shrunk->bits_before, shrunk->bits_after,
+      what.bag.triangles.size(), simple.bag.triangles.size(), shrunk->bits_before, shrunk->bits_after,
       shrunk->after.judgement.ulps, to_word(*signature(shrunk->after))));
-  set_finding(simple, row.tracer, row.kind);
+  return simple;
+}
+
+Case shrunk_alone(const Case& what, const Tracer& tracer) {
+  const auto input = from_case(what, Space::ray, tracer.info().contract.precision);
+  const auto shrunk = input ? shrink(*input, tracer, Keep::nominal) : std::nullopt;
+  if (!shrunk) return what;
+  Case simple = to_case(shrunk->input);
+  simple.provenance = what.provenance;
+  const Signature now = *signature(shrunk->after);
+  simple.provenance.push_back(
+      fmt::format("shrunk from {} to {} significant bits (nominal): {}, {}", shrunk->bits_before, shrunk->bits_after,
+                  severity_text(finding_ulps(shrunk->after, now), now.conditioning), to_word(now)));
   return simple;
 }
 
 }  // namespace
 
 Case promoted(const FindingRow& row, const Tracer* tracer) {
-  const Case& worst = row.worst.what;
-  if (tracer && worst.bag.triangles.size() > 1) return promoted_bag(row, *tracer);
-  const auto input = tracer ? from_case(worst, Space::ray, tracer->info().contract.precision) : std::nullopt;
-  if (!input) return worst;
-  const auto shrunk = shrink(*input, *tracer, Keep::nominal);
-  if (!shrunk) fail_as_right(row);
-  Case simple = to_case(shrunk->input);
-  simple.provenance = worst.provenance;
-  const auto now = signature(shrunk->after);
-  simple.provenance.push_back(
-      fmt::format("shrunk from {} to {} significant bits (nominal): {}, {}", shrunk->bits_before, shrunk->bits_after,
-                  severity_text(finding_ulps(shrunk->after, *now), now->conditioning), to_word(*now)));
-  set_finding(simple, row.tracer, row.kind);
+  if (!tracer) return row.worst.what;
+  const Kept kept = still_shown(row, *tracer);
+  Case simple = kept.what.bag.triangles.size() > 1 ? shrunk_bag(kept.what, *tracer) : shrunk_alone(kept.what, *tracer);
+  set_finding(simple, row.tracer, kept.now->kind);
   return simple;
 }
 

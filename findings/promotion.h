@@ -7,9 +7,10 @@
 
 namespace plumbline {
 
-/// The worst case, shrunk as far as its condition stays the same (Keep::nominal), and of several triangles to the
-/// fewest (bag_shrink.h), with provenance, expectation and `known`. Where `tracer` is null or the case can't be shrunk,
-/// it is as it was found. Throws InputError where the tracer gets it right.
+/// The worst case, or the simplest where only that shows the finding still, shrunk as far as its condition stays the
+/// same (Keep::nominal), and of several triangles to the fewest (bag_shrink.h), with provenance, expectation and
+/// `known`. What can't be shrunk is as it was found; where `tracer` is null, that is the worst. Throws InputError where
+/// neither case shows the finding.
 Case promoted(const FindingRow& row, const Tracer* tracer);
 
 /// What files of this finding are called: tracer and signature in letters that are safe in any file system. Names

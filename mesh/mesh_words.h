@@ -1,4 +1,4 @@
-// The words of a line of a text mesh: what stands between blanks. Private to mesh.
+// The lines of a text mesh and their words: what stands between blanks. Private to mesh.
 #pragma once
 #include <fmt/format.h>
 
@@ -24,6 +24,16 @@ inline void split_words(std::string_view line, std::vector<std::string_view>& wo
     const std::size_t end = std::min(line.find_first_of(mesh_blanks, at), line.size());
     words.push_back(line.substr(at, end - at));
     at = end;
+  }
+}
+
+/// take(begin, end) for each line, its end excluded.
+template <class Take>
+void for_each_line(std::string_view bytes, Take take) {
+  for (std::size_t begin = 0; begin < bytes.size();) {
+    const std::size_t end = std::min(bytes.find('\n', begin), bytes.size());
+    take(begin, end);
+    begin = end + 1;
   }
 }
 

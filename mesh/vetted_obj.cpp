@@ -24,12 +24,10 @@ class ObjVetter {
   ObjVetter(std::string& bytes, const std::string& name) : bytes_(bytes), name_(name) {}
 
   void run() {
-    for (std::size_t begin = 0; begin < bytes_.size();) {
-      const std::size_t end = std::min(bytes_.find('\n', begin), bytes_.size());
+    for_each_line(bytes_, [this](std::size_t begin, std::size_t end) {
       ++line_;
       vet(begin, end);
-      begin = end + 1;
-    }
+    });
     if (!any_face_) throw InputError(fmt::format("{}: has no face", name_));
     if (highest_ > vertices_)
       throw InputError(fmt::format("{}:{}: vertex {} of {}; the file has too few, is it cut off?", name_,

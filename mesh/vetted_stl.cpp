@@ -36,12 +36,10 @@ class AsciiVetter {
   AsciiVetter(std::string& bytes, const std::string& name) : bytes_(bytes), name_(name) {}
 
   void run() {
-    for (std::size_t begin = 0; begin < bytes_.size();) {
-      const std::size_t end = std::min(bytes_.find('\n', begin), bytes_.size());
+    for_each_line(bytes_, [this](std::size_t begin, std::size_t end) {
       ++line_;
       vet(begin, end);
-      begin = end + 1;
-    }
+    });
     if (inside_ != Inside::nothing)
       throw InputError(fmt::format("{}: ends before 'endsolid'; the file is cut off", name_));
   }

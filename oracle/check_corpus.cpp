@@ -42,8 +42,8 @@ std::string check_bag(const Case& asked, const CorpusTracer& tracer) {
   const bool wrong = verdict == VerdictKind::leak || verdict == VerdictKind::false_hit;
   const auto by = wrong ? std::optional(Severity{.length = judgement.length, .ulps = judgement.ulps, .condition = {}})
                         : std::nullopt;
-  return rule_message(verdict, known, by) + "\n" + explain_bag(bag.triangles, searched, truth) +
-         explain_bag_verdict(question, answer, judgement);
+  return rule_message(verdict, known, by) + "\n" + explain_bag_verdict(question, answer, judgement) +
+         explain_bag(bag.triangles, searched, truth);
 }
 
 // What there is to tell of the answer to a case; empty if nothing.

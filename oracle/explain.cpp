@@ -88,6 +88,37 @@ std::string condition_words(const Condition& c) {
   return words;
 }
 
+void add_vertices(Lines& lines, const Triangle& triangle) {
+  lines.add("a", "{}", point(triangle.a));
+  lines.add("b", "{}", point(triangle.b));
+  lines.add("c", "{}", point(triangle.c));
+}
+
+void add_certificate(Lines& lines, const Triangle& triangle, const Query& query) {
+  const Certificate c = certificate(triangle, query);
+  if (c.truth.hit_class == HitClass::invalid) {
+    lines.add("class", "invalid: {}", c.where);
+    return;
+  }
+  lines.add("det", "{}", c.det.exact);
+  lines.add("T", "{}", c.T.exact);
+  if (c.det.sign != 0) {
+    add_side(lines, "w_ab", c.w_ab, c.det);
+    add_side(lines, "w_bc", c.w_bc, c.det);
+    add_side(lines, "w_ca", c.w_ca, c.det);
+  }
+  lines.add("class", "{}: {}", name(c.truth.hit_class), c.where);
+  if (c.det.sign != 0) {
+    add_coordinate(lines, "t = T/det", *c.t);
+    lines.add("", "{}", c.range);
+    add_coordinate(lines, "u", *c.u);
+    add_coordinate(lines, "v", *c.v);
+  } else if (c.truth.hit_class != HitClass::parallel) {
+    add_contact(lines, ExactCase(triangle, query), query.ray);
+  }
+  lines.add("hit", "{}", !c.hit ? "open: contact without a crossing" : *c.hit ? "yes" : "no");
+}
+
 }  // namespace
 
 std::string_view side(int w_sign, int det_sign) {
@@ -117,32 +148,16 @@ Certificate certificate(const Triangle& triangle, const Query& query) {
 
 std::string explain(const Triangle& triangle, const Query& query) {
   Lines lines;
-  lines.add("a", "{}", point(triangle.a));
-  lines.add("b", "{}", point(triangle.b));
-  lines.add("c", "{}", point(triangle.c));
+  add_vertices(lines, triangle);
   add_query(lines, query);
-  const Certificate c = certificate(triangle, query);
-  if (c.truth.hit_class == HitClass::invalid) {
-    lines.add("class", "invalid: {}", c.where);
-    return lines.take();
-  }
-  lines.add("det", "{}", c.det.exact);
-  lines.add("T", "{}", c.T.exact);
-  if (c.det.sign != 0) {
-    add_side(lines, "w_ab", c.w_ab, c.det);
-    add_side(lines, "w_bc", c.w_bc, c.det);
-    add_side(lines, "w_ca", c.w_ca, c.det);
-  }
-  lines.add("class", "{}: {}", name(c.truth.hit_class), c.where);
-  if (c.det.sign != 0) {
-    add_coordinate(lines, "t = T/det", *c.t);
-    lines.add("", "{}", c.range);
-    add_coordinate(lines, "u", *c.u);
-    add_coordinate(lines, "v", *c.v);
-  } else if (c.truth.hit_class != HitClass::parallel) {
-    add_contact(lines, ExactCase(triangle, query), query.ray);
-  }
-  lines.add("hit", "{}", !c.hit ? "open: contact without a crossing" : *c.hit ? "yes" : "no");
+  add_certificate(lines, triangle, query);
+  return lines.take();
+}
+
+std::string explain_triangle(const Triangle& triangle, const Query& query) {
+  Lines lines;
+  add_vertices(lines, triangle);
+  add_certificate(lines, triangle, query);
   return lines.take();
 }
 

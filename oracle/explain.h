@@ -42,6 +42,9 @@ std::string_view side(int w_sign, int det_sign);
 /// signs mean, t, u, v exact and rounded.
 std::string explain(const Triangle& triangle, const Query& query);
 
+/// The same without the lines of the query, for one of several triangles.
+std::string explain_triangle(const Triangle& triangle, const Query& query);
+
 /// The reason for the verdict on an answer: what the contract asks, what was said, the severity.
 std::string explain_verdict(const Triangle& triangle, const Query& query, const Answer& answer, const Contract& contract);
 

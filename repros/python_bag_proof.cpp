@@ -139,8 +139,8 @@ std::string python_bag_proof(const Case& what, std::string_view tracer) {
   std::string story = headline(what, tracer, e) + "\n\n    python3 proof.py\n\n";
   story += fmt::format("case       {}\n", harmless(what.id));
   for (const std::string& line : what.provenance) story += fmt::format("           {}\n", harmless(line));
-  story += explain_bag(what.bag.triangles, query, truth);
   if (e) story += explain_bag_verdict({what.bag.triangles, query, truth, contract}, e->answer, e->judgement);
+  story += explain_bag(what.bag.triangles, query, truth);
   return fill(text, {{"STORY", commented(story, "# ")},
                      {"TRIANGLES", triangles_text(what)},
                      {"RAY", ray_text(query)},

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "case/float_bits.h"
+#include "float_tracer/brlcad/answer.h"
 
 namespace plumbline {
 namespace {
@@ -211,16 +212,7 @@ class PreparedModel final : public PreparedBag {
     VSET(shot_.a_ray.r_pt, ray.origin.x, ray.origin.y, ray.origin.z);
     VSET(shot_.a_ray.r_dir, ray.direction.x, ray.direction.y, ray.direction.z);
     if (!turn.run([&] { rt_shootray(&shot_); })) return {.outcome = Outcome::fault};
-    if (passages_.empty()) return {};
-    const Passage& first = passages_.front();
-    Answer answer{.outcome = Outcome::hit,
-                  .has_t = thin_,
-                  .has_segment = true,
-                  .triangle = first.triangle_in,
-                  .in = first.in,
-                  .out = first.out};
-    if (thin_) answer.t = first.in;
-    return answer;
+    return brlcad::answer_of(passages_, thin_);
   }
 
   Model model_;

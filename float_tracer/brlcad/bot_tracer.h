@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "case/float_bits.h"
+#include "float_tracer/brlcad/answer.h"
 #include "float_tracer/brlcad/solid.h"
 #include "float_tracer/tracer.h"
 
@@ -77,16 +78,7 @@ class PreparedBot final : public PreparedBag {
     }
     if (!rule_->shoot(to_vec<double>(ray.origin), to_vec<double>(ray.direction), pieces_, why))
       return {.outcome = Outcome::fault};
-    if (pieces_.empty()) return {};
-    const Passage& first = pieces_.front();
-    Answer answer{.outcome = Outcome::hit,
-                  .has_t = thin_,
-                  .has_segment = true,
-                  .triangle = first.triangle_in,
-                  .in = first.in,
-                  .out = first.out};
-    if (thin_) answer.t = first.in;
-    return answer;
+    return answer_of(pieces_, thin_);
   }
 
   bool possible_, one_, thin_;

@@ -1,5 +1,6 @@
 #include "oracle/bag/explain_bag.h"
 
+#include <algorithm>
 #include <array>
 
 #include "oracle/explain.h"
@@ -35,6 +36,38 @@ void add_hits(Lines& lines, std::span<const Triangle> triangles, const Query& qu
   }
 }
 
+// Those that are crossed where a hit had to be, in explain_bag's order.
+std::span<const BagHit> due(const BagTruth& truth, const BagJudgement& judgement) {
+  if (judgement.due == HitClass::exterior) return {};
+  const auto [begin, end] = std::ranges::equal_range(truth.hits, judgement.due_rank, {}, &BagHit::rank);
+  return {begin, end};
+}
+
+void add_due(Lines& lines, const BagTruth& truth, const BagJudgement& judgement) {
+  const std::span<const BagHit> hits = due(truth, judgement);
+  if (hits.empty()) {
+    lines.add("asks", "no triangle that is crossed must be hit");
+    return;
+  }
+  std::string text;
+  for (const BagHit& hit : hits)
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", hit.triangle, met_at(hit.truth));
+  lines.add("asks", "must hit {} {}, t = {}", hits.size() == 1 ? "triangle" : "one of the triangles", text,
+            hits.front().t);
+}
+
+bool names_triangle(const Answer& answer) { return answer.outcome == Outcome::hit && answer.has_t; }
+
+void add_reported(Lines& lines, const BagQuestion& question, std::uint32_t triangle) {
+  const BagTruth& truth = question.truth;
+  std::string met = "which the ray misses";
+  if (const auto hit = std::ranges::find(truth.hits, triangle, &BagHit::triangle); hit != truth.hits.end())
+    met = fmt::format("which is hit {}", hit->rank + 1);
+  if (std::ranges::count(truth.stretches, triangle, &Stretch::triangle) != 0) met = "which is touched";
+  if (triangle >= question.triangles.size()) met = "which isn't there";
+  lines.add("", "triangle {}, {}", triangle, met);
+}
+
 }  // namespace
 
 std::string met_at(const Truth& truth) {
@@ -61,14 +94,27 @@ std::string explain_bag(std::span<const Triangle> triangles, const Query& query,
 
 std::string explain_bag_verdict(const BagQuestion& question, const Answer& answer, const BagJudgement& judgement) {
   Lines lines;
-  add_contract(lines, question.contract);
-  add_answer(lines, answer);
-  if (answer.outcome == Outcome::hit && answer.has_t) lines.add("", "triangle {}", answer.triangle);
   lines.add("verdict", "{}: {}", name(judgement.verdict), meanings[static_cast<unsigned>(judgement.verdict)]);
   const bool wrong = judgement.verdict != BagVerdict::correct && judgement.verdict != BagVerdict::unspecified &&
                      judgement.verdict != BagVerdict::fault;
   if (wrong) add_severity(lines, judgement.length, judgement.ulps);
+  if (judgement.verdict != BagVerdict::fault) add_due(lines, question.truth, judgement);
+  add_answer(lines, answer);
+  if (names_triangle(answer)) add_reported(lines, question, answer.triangle);
+  add_contract(lines, question.contract);
   return lines.take();
+}
+
+std::vector<std::uint32_t> concerned(const BagQuestion& question, const Answer& answer, const BagJudgement& judgement) {
+  std::vector<std::uint32_t> list;
+  const auto add = [&](std::uint32_t triangle) {
+    if (std::ranges::find(list, triangle) == list.end()) list.push_back(triangle);
+  };
+  for (const BagHit& hit : due(question.truth, judgement)) add(hit.triangle);
+  if (names_triangle(answer) && answer.triangle < question.triangles.size()) add(answer.triangle);
+  for (const BagHit& hit : question.truth.hits) add(hit.triangle);
+  for (const Stretch& s : question.truth.stretches) add(s.triangle);
+  return list;
 }
 
 }  // namespace plumbline

@@ -385,9 +385,18 @@ class SeveralTriangles(ReplayTest):
                      r"answer     hit", r"verdict    wrong-nearest: another triangle has to be hit first",
                      r"severity   \S+ .* ulps of the largest coordinate", r"signature  wrong-nearest-interior"):
             self.assertRegex(done.stdout, "(?m)^" + line)
+        self.assertRegex(done.stdout, r"\Acase pair\n\ntracer     moller_trumbore_f64\nverdict    wrong-nearest")
         alone = self.run_program("explain", "several.case")
         self.assertIn("crossed    3 of 3", alone.stdout)
         self.assertNotIn("verdict", alone.stdout)
+        self.assertEqual(re.findall(r"(?m)^triangle (\d+)$", alone.stdout), ["0", "1", "2"])
+        self.write("many.case", PAIR % b"pair" + BEHIND + b"triangle 9 9 9  9 9 8  9 8 9\n" * 9)
+        done = self.run_program("explain", "many.case", "--tracer", WRONG)
+        self.assertEqual(set(re.findall(r"(?m)^triangle (\d+)$", done.stdout)), {"0", "1", "2"})
+        self.assertIn("\n9 of 12 triangles are left out, which matter less: --all tells of each\n", done.stdout)
+        done = self.run_program("explain", "many.case", "--all")
+        self.assertEqual(len(re.findall(r"(?m)^triangle \d+$", done.stdout)), 12)
+        self.assertNotIn("left out", done.stdout)
         self.write("solid.case", PAIR % b"pair" + b"mode solid\n")
         self.assert_trouble(self.run_program("explain", "solid.case", "--tracer", WRONG), "a solid of 2 triangles")
 

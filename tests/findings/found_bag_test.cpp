@@ -139,7 +139,7 @@ TEST_F(FoundBagStore, IsPromotedWithItsKnownLine) {
   EXPECT_THAT(what.provenance.back(),
               AllOf(HasSubstr("shrunk from 3 triangles to "), HasSubstr("wrong-nearest-interior")));
   EXPECT_EQ(ask_for_finding(tracer, what, "")->kind, FindingKind::wrong_nearest);
-  EXPECT_THAT(error_of([&] { promoted(*kept.row(1), &find_tracer("exact")); }), HasSubstr("right now"));
+  EXPECT_THAT(error_of([&] { promoted(*kept.row(1), &find_tracer("exact")); }), HasSubstr("its worst case right"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/float_tracer/expect_outcomes.h"
 #include "tests/float_tracer/shoot.h"
 
 namespace plumbline {
@@ -49,18 +50,7 @@ TEST_P(Cgal, ReadsNoBounds) {
 }
 
 TEST_P(Cgal, FaultsOnWhatIsNoRayAndNoTriangle) {
-  for (const double bad : {not_a_number, infinity, -infinity}) {
-    for (std::size_t i = 0; i < 9; ++i) {
-      Triangle spoilt = flat;
-      *coordinates(spoilt)[i] = bad;
-      EXPECT_EQ(outcome(spoilt, down), Outcome::fault);
-    }
-    for (std::size_t i = 0; i < 6; ++i) {
-      Ray spoilt = down;
-      *coordinates(spoilt)[i] = bad;
-      EXPECT_EQ(outcome(flat, spoilt), Outcome::fault);
-    }
-  }
+  expect_faults(GetParam(), flat, down, {not_a_number, infinity, -infinity});
   EXPECT_EQ(outcome(flat, {.origin = down.origin, .direction = {}}), Outcome::fault);
 }
 

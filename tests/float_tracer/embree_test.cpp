@@ -11,6 +11,7 @@
 
 #include "case/precision.h"
 #include "case/targets.h"
+#include "tests/float_tracer/expect_outcomes.h"
 #include "tests/float_tracer/shoot.h"
 
 namespace plumbline {
@@ -115,18 +116,7 @@ TEST_P(Embree, MissesAnEmptyBag) { EXPECT_EQ(shoot(GetParam(), {}, down).outcome
 
 TEST_P(Embree, FaultsOnEveryCoordinateBeyondTheLimits) {
   const double limit = 1.844e18f;
-  for (const double bad : {not_a_number, infinity, -infinity, limit, -limit, 0x1p+100}) {
-    for (std::size_t i = 0; i < 9; ++i) {
-      Triangle spoilt = flat;
-      *coordinates(spoilt)[i] = bad;
-      EXPECT_EQ(outcome(spoilt, down), Outcome::fault) << "triangle coordinate " << i << " = " << bad;
-    }
-    for (std::size_t i = 0; i < 6; ++i) {
-      Ray spoilt = down;
-      *coordinates(spoilt)[i] = bad;
-      EXPECT_EQ(outcome(flat, spoilt), Outcome::fault) << "ray coordinate " << i << " = " << bad;
-    }
-  }
+  expect_faults(GetParam(), flat, down, {not_a_number, infinity, -infinity, limit, -limit, 0x1p+100});
 }
 
 TEST_P(Embree, FaultsOnBoundsBeyondTheLimits) {

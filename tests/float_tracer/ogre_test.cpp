@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/float_tracer/expect_outcomes.h"
 #include "tests/float_tracer/shoot.h"
 
 namespace plumbline {
@@ -59,18 +60,7 @@ TEST(Ogre, HitsWhereItsNumbersOverflow) {
 }
 
 TEST(Ogre, FaultsOnWhatIsNotFinite) {
-  for (const double bad : {not_a_number, infinity, -infinity}) {
-    for (std::size_t i = 0; i < 9; ++i) {
-      Triangle spoilt = flat;
-      *coordinates(spoilt)[i] = bad;
-      EXPECT_EQ(outcome(spoilt, down), Outcome::fault) << "triangle coordinate " << i << " = " << bad;
-    }
-    for (std::size_t i = 0; i < 6; ++i) {
-      Ray spoilt = down;
-      *coordinates(spoilt)[i] = bad;
-      EXPECT_EQ(outcome(flat, spoilt), Outcome::fault) << "ray coordinate " << i << " = " << bad;
-    }
-  }
+  expect_faults("ogre_f32", flat, down, {not_a_number, infinity, -infinity});
 }
 
 TEST(Ogre, MissesAnEmptyBag) { EXPECT_EQ(shoot("ogre_f32", {}, down).outcome, Outcome::miss); }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "float_tracer/adapters/segment.h"
+#include "tests/float_tracer/expect_outcomes.h"
 #include "tests/float_tracer/shoot.h"
 
 namespace plumbline {
@@ -37,15 +38,7 @@ TEST_P(Vtk, GivesTOfTheSegmentUVAndTheNearestTriangle) {
 }
 
 TEST_P(Vtk, SearchesTheSegmentOfTheRange) {
-  Ray ray = down;
-  ray.t_max = 3;
-  EXPECT_EQ(outcome(flat, ray), Outcome::miss);
-  ray.t_max = 5;
-  EXPECT_EQ(outcome(flat, ray), Outcome::hit);
-  ray.t_min = 5, ray.t_max = infinity;
-  EXPECT_EQ(outcome(flat, ray), Outcome::miss);
-  ray.t_min = -infinity;
-  EXPECT_EQ(outcome(flat, ray), Outcome::hit);
+  expect_range_searched(GetParam(), flat, down);
   EXPECT_EQ(outcome(flat, {.origin = {1, 1, -2}, .direction = {0, 0, -1}}), Outcome::miss);  // behind
 }
 
@@ -59,18 +52,7 @@ TEST_P(Vtk, KeepsBinary64) {
 }
 
 TEST_P(Vtk, FaultsOnWhatIsNotFiniteOrNoSegment) {
-  for (const double bad : {not_a_number, infinity, -infinity}) {
-    for (std::size_t i = 0; i < 9; ++i) {
-      Triangle spoilt = flat;
-      *coordinates(spoilt)[i] = bad;
-      EXPECT_EQ(outcome(spoilt, down), Outcome::fault) << "triangle coordinate " << i << " = " << bad;
-    }
-    for (std::size_t i = 0; i < 6; ++i) {
-      Ray spoilt = down;
-      *coordinates(spoilt)[i] = bad;
-      EXPECT_EQ(outcome(flat, spoilt), Outcome::fault) << "ray coordinate " << i << " = " << bad;
-    }
-  }
+  expect_faults(GetParam(), flat, down, {not_a_number, infinity, -infinity});
   Ray ray = down;
   ray.t_min = 5, ray.t_max = 3;
   EXPECT_EQ(outcome(flat, ray), Outcome::fault);

@@ -7,6 +7,7 @@ namespace plumbline {
 namespace {
 
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
@@ -54,13 +55,47 @@ TEST(ExplainBag, TellsTheVerdict) {
   const auto verdict = [&](const Answer& answer) {
     return explain_bag_verdict(question, answer, judge_nearest(question, answer));
   };
-  EXPECT_THAT(verdict({}), AllOf(HasSubstr("answer     miss\n"),
-                                 HasSubstr("verdict    leak: a point has to be hit, and nothing is\nseverity   ")));
-  EXPECT_THAT(verdict({.outcome = Outcome::hit, .has_t = true, .triangle = 1, .t = 1}),
-              AllOf(HasSubstr("           triangle 1\nverdict    correct: "), Not(HasSubstr("severity"))));
-  EXPECT_THAT(verdict({.outcome = Outcome::hit, .has_t = true, .triangle = 2, .t = 2}),
-              HasSubstr("verdict    wrong-nearest: another triangle has to be hit first\nseverity   1 "));
-  EXPECT_THAT(verdict({.outcome = Outcome::fault}), EndsWith("verdict    fault: no answer\n"));
+  const auto reported = [&](std::uint32_t triangle, double t) {
+    return verdict({.outcome = Outcome::hit, .has_t = true, .triangle = triangle, .t = t});
+  };
+  EXPECT_THAT(verdict({}),
+              AllOf(StartsWith("verdict    leak: a point has to be hit, and nothing is\nseverity   "),
+                    HasSubstr("\nasks       must hit one of the triangles 0 (edge bc), 1 (edge ca), t = 1\n"
+                              "answer     miss\ncontract   ")));
+  EXPECT_THAT(reported(1, 1),
+              AllOf(StartsWith("verdict    correct: "), HasSubstr("\n           triangle 1, which is hit 1\n"),
+                    Not(HasSubstr("severity"))));
+  EXPECT_THAT(reported(2, 2),
+              AllOf(StartsWith("verdict    wrong-nearest: another triangle has to be hit first\nseverity   1 "),
+                    HasSubstr("triangle 2, which is hit 2\n")));
+  EXPECT_THAT(reported(3, 1), HasSubstr("triangle 3, which is touched\n"));
+  EXPECT_THAT(reported(9, 1),
+              AllOf(StartsWith("verdict    fault: no answer\n"), HasSubstr("triangle 9, which isn't there\n")));
+  EXPECT_THAT(verdict({.outcome = Outcome::fault}), StartsWith("verdict    fault: no answer\nanswer     fault\n"));
+}
+
+TEST(ExplainBag, TellsWhereNothingMustBeHit) {
+  const Query beside = Ray{{0.25, 0.25, 1}, {0, 0, -1}, 0, 0.5};
+  const BagTruth truth = bag_truth(triangles, beside);
+  const Contract contract;
+  const BagQuestion question{triangles, beside, truth, contract};
+  const Answer first{.outcome = Outcome::hit, .has_t = true, .triangle = 0, .t = 1};
+  EXPECT_THAT(explain_bag_verdict(question, first, judge_nearest(question, first)),
+              AllOf(StartsWith("verdict    false-hit: "),
+                    HasSubstr("\nasks       no triangle that is crossed must be hit\n"),
+                    HasSubstr("\n           triangle 0, which the ray misses\n")));
+}
+
+TEST(ExplainBag, NamesTheTrianglesThatMatter) {
+  const BagTruth truth = bag_truth(triangles, ray);
+  const Query query = ray;
+  const Contract contract{.edges = EdgeRule::unspecified};  // so that the shared edge isn't due
+  const BagQuestion question{triangles, query, truth, contract};
+  const auto named = [&](const Answer& answer) { return concerned(question, answer, judge_nearest(question, answer)); };
+  EXPECT_THAT(concerned(question), ElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(named({}), ElementsAre(2, 0, 1, 3));
+  EXPECT_THAT(named({.outcome = Outcome::hit, .has_t = true, .triangle = 3, .t = 1}), ElementsAre(2, 3, 0, 1));
+  EXPECT_THAT(named({.outcome = Outcome::hit, .has_t = true, .triangle = 9, .t = 1}), ElementsAre(0, 1, 2, 3));
 }
 
 TEST(VerdictKinds, AreThoseOfWhatIsHitFirst) {
