@@ -20,6 +20,7 @@
 namespace plumbline {
 namespace {
 
+constexpr double gross_ulps = 1024;       // from which on an answer is no matter of rounding
 constexpr std::size_t few_triangles = 4;  // up to which a ray is put back onto its edge
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -83,6 +84,7 @@ class Shrinker {
     const auto found = signature(r.before);
     if (!found) return std::nullopt;
     wanted_ = *found;
+    gross_ = r.before.judgement.ulps >= gross_ulps;
     r.bits_before = significant_bits(best_);
     only_those_met(r.before);
     take_triangles_away();
@@ -100,7 +102,8 @@ class Shrinker {
  private:
   bool same_finding(const Case& what) {
     ++tries_;
-    return signature(examine_bag(tracer_, what)) == wanted_;
+    const BagExamination e = examine_bag(tracer_, what);
+    return signature(e) == wanted_ && (!gross_ || e.judgement.ulps >= gross_ulps);
   }
 
   bool take(const Case& what) {
@@ -190,7 +193,7 @@ class Shrinker {
   // One triangle has a stronger shrinker, which knows how to put a ray back onto a knife's edge.
   void simplify_alone() {
     const auto input = from_case(best_, Space::ray, best_.precision);
-    const auto shrunk = input ? shrink(*input, tracer_, Keep::simple) : std::nullopt;
+    const auto shrunk = input ? shrink(*input, tracer_, gross_ ? Keep::worst : Keep::simple) : std::nullopt;
     if (!shrunk) return;
     Case simpler = best_;
     simpler.bag.triangles = {shrunk->input.triangle};
@@ -251,6 +254,7 @@ class Shrinker {
 
   const Tracer& tracer_;
   BagSignature wanted_;
+  bool gross_ = false;  // and is to stay so
   Case best_;
   Random random_{7, 0};
   std::uint64_t tries_ = 0;

@@ -23,7 +23,8 @@ struct ShrunkBag {
   std::uint64_t tries = 0;                   ///< cases examined
 };
 
-/// Keeps tracer and signature. No value where the tracer gets the case right.
+/// Keeps tracer and signature; and what is wrong by 1024 ulps or more stays so. No value where the tracer gets the case
+/// right.
 std::optional<ShrunkBag> shrink_bag(const Case& asked, const Tracer& tracer);
 
 /// Significant bits of all numbers; a coordinate that vertices share counts once for each vertex, not for each

@@ -113,6 +113,7 @@ range 0x0p+0 inf
   EXPECT_EQ(to_word(*signature(shrunk->after)), "wrong-nearest-interior-through");
   EXPECT_EQ(shrunk->what.bag.triangles.size(), 2u);
   EXPECT_LE(shrunk->bits_after, 50u);
+  EXPECT_GE(shrunk->after.judgement.ulps, 1024) << "it doesn't slip to two triangles an ulp apart";
 }
 
 // Each try may be a hang.
