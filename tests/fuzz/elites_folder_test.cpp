@@ -185,7 +185,8 @@ TEST(ElitesFolder, WhatCannotBeWrittenStaysNoted) {
   ElitesFolder folder(scratch.path());
   {
     const FullDisk full;
-    EXPECT_EQ(search_into(folder, campaign, 1000), campaign.elites().all().size());
+    const std::size_t noted = search_into(folder, campaign, 1000);
+    EXPECT_EQ(noted, campaign.elites().all().size());
     EXPECT_TRUE(names(folder.path()).empty());
   }
   EXPECT_EQ(folder.flush(campaign.elites()), 0u);
@@ -212,7 +213,8 @@ TEST(ElitesFolder, AFolderThatIsGoneKeepsElitesNoted) {
   Campaign campaign(plan());
   ElitesFolder folder(path);
   fs::remove(path);
-  EXPECT_EQ(search_into(folder, campaign, 1000), campaign.elites().all().size());
+  const std::size_t noted = search_into(folder, campaign, 1000);
+  EXPECT_EQ(noted, campaign.elites().all().size());
   folder.scan(campaign.elites(), input_like(plan()), Domain::nominal, [](const FuzzInput&) { FAIL(); });
   fs::create_directory(path);
   EXPECT_EQ(folder.flush(campaign.elites()), 0u);
@@ -265,8 +267,7 @@ TEST(ElitesFolder, ElitesOfEqualScoresHaveFilesOfTheirOwn) {
   }
   ASSERT_EQ(x.elites().all()[0].cell, y.elites().all()[0].cell);
   EXPECT_EQ(names(scratch.path()).size(), 2u);
-  EXPECT_EQ(fingerprint(read(scratch.path()).campaign.elites()),
-            fingerprint(merged(plan(), x.elites(), y.elites())));
+  EXPECT_EQ(fingerprint(read(scratch.path()).campaign.elites()), fingerprint(merged(plan(), x.elites(), y.elites())));
 }
 
 // Two processes with one folder: each takes over what the other wrote.
