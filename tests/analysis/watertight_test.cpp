@@ -23,7 +23,7 @@ LeakResult leaks_of(const Tracer& tracer, std::uint64_t rays = few, unsigned job
   return find_leaks({.tracers = {&tracer}, .rays = rays, .jobs = jobs});
 }
 
-const LeakScore& score(const LeakResult& result, std::string_view test, Precision precision = Precision::binary32) {
+LeakScore score(const LeakResult& result, std::string_view test, Precision precision = Precision::binary32) {
   const auto tests = leak_tests();
   const auto it =
       std::ranges::find_if(tests, [&](const LeakTest& t) { return t.name == test && t.precision == precision; });
