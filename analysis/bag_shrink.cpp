@@ -207,8 +207,9 @@ class Shrinker {
     bool any = false;
     for (int i = 0; i < 4000; ++i) {
       SharedBag x(best_);
-      auto numbers = x.numbers();
-      simplify_hard(std::span(numbers).first(numbers.size() - 2), digits(), random_);
+      const unsigned weight = x.weight();
+      const auto numbers = x.numbers();
+      simplify_hard(std::span(numbers).first(numbers.size() - 2), digits(best_.precision), random_);
       x.round();
       const auto& [a, b, c] = x.triangles[random_.below(x.triangles.size())];
       const std::size_t at = random_.below(15);
@@ -216,29 +217,21 @@ class Shrinker {
       const std::size_t corner = std::array{a, b, c}[at < 6 ? 0 : at / 3 - 2], rays = 3 * x.vertices.size();
       double& solved = *numbers[at < 6 ? rays + at : 3 * corner + at % 3];
       solved = 0;
-      if (!(x.weight() < SharedBag(best_).weight())) continue;
+      if (!(x.weight() < weight)) continue;
       const auto decision = static_cast<Decision>(random_.below(6));
       const auto root = boundary({x.vertices[a], x.vertices[b], x.vertices[c]}, x.rest.ray, decision,
                                  static_cast<int>(at), best_.precision);
-      if (root) any = take_near(x, solved, *root) || any;
+      if (!root) continue;
+      const auto take_it = [&](double value) {
+        solved = value;
+        return take(x);
+      };
+      any = take_near(
+                *root, best_.precision, [] { return 0; }, take_it) ||
+            any;
     }
     return any;
   }
-
-  bool take_near(SharedBag& x, double& solved, double root) {
-    for (const int ulps : {0, 1, -1, 2, -2, 3, -3}) {
-      solved = best_.precision == Precision::binary32 ? double{step_ulps(static_cast<float>(root), ulps)}
-                                                      : step_ulps(root, ulps);
-      if (take(x)) return true;
-    }
-    for (int bits = 2; bits < digits(); bits += 4) {
-      solved = rounded_to_bits(root, bits, 0);
-      if (take(x)) return true;
-    }
-    return false;
-  }
-
-  int digits() const { return best_.precision == Precision::binary32 ? 24 : 53; }
 
   void simplify_numbers() {
     constexpr int rounds = 20;

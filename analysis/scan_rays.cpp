@@ -57,11 +57,7 @@ double thinness(const Triangle& t) {
   return size == 0 ? 0 : dot(n, n) / longest2 / longest2;
 }
 
-double turned(Random& random, double x, Precision precision) {
-  const std::int64_t steps = random.integer(-1, 1);
-  return precision == Precision::binary32 ? double{step_ulps(static_cast<float>(x), static_cast<std::int32_t>(steps))}
-                                          : step_ulps(x, steps);
-}
+double turned(Random& random, double x, Precision precision) { return step_ulps(x, random.integer(-1, 1), precision); }
 
 // In degrees; exact where they are whole quarters.
 struct Turn {

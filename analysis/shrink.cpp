@@ -95,7 +95,7 @@ class Shrinker {
     if (best_.space == Space::ray) return Wish::none;
     return aims({.tolerances = {1}})[best_.target].wish;
   }
-  int digits() const { return best_.precision == Precision::binary32 ? 24 : 53; }
+  int digits() const { return plumbline::digits(best_.precision); }
 
   bool same_finding(const FuzzInput& x) {
     ++tries_;
@@ -240,19 +240,12 @@ class Shrinker {
     const auto decision = static_cast<Decision>(random_.below(6));
     // The solver counts the ray's coordinates first.
     const auto root = boundary(x.triangle, x.ray, decision, static_cast<int>(at < 9 ? at + 6 : at - 9), x.precision);
-    return root && offer_near(x, at, *root);
-  }
-  bool offer_near(FuzzInput& x, std::size_t at, double root) {
-    double& c = *Numbers(x).all[at];
-    for (const int ulps : {0, 1, -1, 2, -2, 3, -3}) {
-      c = x.precision == Precision::binary32 ? step_ulps(static_cast<float>(root), ulps) : step_ulps(root, ulps);
-      if (offer(x)) return true;
-    }
-    for (int bits = 2; bits < digits(); bits += 4) {
-      c = rounded_to_bits(root, bits, static_cast<int>(random_.below(3)) - 1);
-      if (offer(x)) return true;
-    }
-    return false;
+    return root && take_near(
+                       *root, x.precision, [this] { return static_cast<int>(random_.below(3)) - 1; },
+                       [&](double value) {
+                         n[at] = value;
+                         return offer(x);
+                       });
   }
   // A few numbers changed at once, by chance.
   bool chances() {

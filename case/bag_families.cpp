@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "case/float_bits.h"
+#include "case/precision.h"
 #include "case/random.h"
 
 namespace plumbline {
@@ -353,10 +354,7 @@ Point origin_for(const Shape& shape, const Target& target, BagOrigin where, bool
 
 double moved(double x, const BagAim& aim, Random& random) {
   const std::int64_t by = random.integer(-aim.ulps, aim.ulps);
-  if (is_zero(x)) return x;
-  return aim.precision == Precision::binary64
-             ? step_ulps(x, by)
-             : static_cast<double>(step_ulps(static_cast<float>(x), static_cast<std::int32_t>(by)));
+  return is_zero(x) ? x : step_ulps(x, by, aim.precision);
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ class Changes {
   bool binary32() const { return plan_.precision == Precision::binary32; }
 
   double stepped(double v, std::int64_t n) const {
-    return binary32() ? step_ulps(static_cast<float>(v), static_cast<std::int32_t>(n)) : step_ulps(v, n);
+    return step_ulps(v, n, plan_.precision);
   }
   // Mostly one ulp, else up to 2^13.
   std::int64_t few_ulps() {

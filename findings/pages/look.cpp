@@ -12,11 +12,6 @@
 namespace plumbline {
 namespace {
 
-double beside(double x, int ulps, Precision precision) {
-  if (precision == Precision::binary64) return step_ulps(x, ulps);
-  return step_ulps(static_cast<float>(x), ulps);
-}
-
 double largest_coordinate(const Triangle& triangle, const Ray& ray) {
   double largest = 0;
   for (const Vec3& v : {triangle.a, triangle.b, triangle.c, ray.origin})
@@ -34,7 +29,7 @@ Neighbours neighbours(const Triangle& triangle, const Ray& ray, const Tracer& tr
     for (double* const x : {&v->x, &v->y, &v->z}) {
       const double here = *x;
       for (const int step : {-1, 1}) {
-        *x = beside(here, step, tracer.info().contract.precision);
+        *x = step_ulps(here, step, tracer.info().contract.precision);
         if (!is_finite(*x)) continue;
         ++n.asked;
         n.wrong += signature(examiner.examine(t, r)).has_value();
