@@ -82,7 +82,8 @@ std::string places(const std::vector<std::uint32_t>& triangles) {
   return text;
 }
 
-Case case_of(const ScanFinding& f, const Options& options) {
+// `told` is what a store is told of it, if it is reproduced.
+Case case_of(const ScanFinding& f, const std::optional<FoundFinding>& told, const Options& options) {
   Case found = f.what;
   found.id = to_word(f.signature);
   found.provenance = {
@@ -91,9 +92,8 @@ Case case_of(const ScanFinding& f, const Options& options) {
                                                    name(f.signature.verdict), f.tracer->info().name, f.judgement.ulps),
       fmt::format("found by scan: {}, seed {}, {}, ray {}", options.mesh, options.seed, f.set->name, f.index),
       "triangles of the mesh:" + places(f.triangles)};
-  if (f.reproduced)
-    set_known(found, f.tracer->info().name,
-              found_bag_finding(f.tracer->info(), f.signature, f.judgement, f.what, "scan").kind);
+  if (told)
+    set_known(found, f.tracer->info().name, told->kind);
   else
     found.provenance.push_back(
         "these triangles alone are answered rightly, or wrong in another way: it takes more of the mesh");
@@ -171,11 +171,13 @@ class Run {
 
   void take(const ScanFinding& f) {
     const Key key = {f.tracer->info().name, to_word(f.signature)};
-    const Case found = case_of(f, options_);
+    // What can't be seen again with a few triangles is no case for a store.
+    const auto told =
+        f.reproduced ? std::optional(for_store(f.tracer->info(), f.signature, f.judgement, f.what)) : std::nullopt;
+    const Case found = case_of(f, told, options_);
     folder_->write(path_of(key, ".case"), to_text(found));
     kept_.insert_or_assign(key, Kept{f.tracer, found, f.judgement.ulps, f.reproduced, {}});
-    // What can't be seen again with a few triangles is no case for a store.
-    if (store_ && f.reproduced) store_->add(for_store(f.tracer->info(), f.signature, f.judgement, f.what));
+    if (store_ && told) store_->add(*told);
   }
 
   // What a run before this one found.
@@ -215,15 +217,15 @@ class Run {
       kept.shrunk = shrink_bag(kept.found, *kept.tracer);
       if (!kept.shrunk) continue;
       const auto& [what, before, after, bits_before, bits_after, tries] = *kept.shrunk;
-      if (store_) store_->add_plainer(for_store(kept.tracer->info(), *signature(after), after.judgement, what));
+      const FoundFinding plainer = for_store(kept.tracer->info(), *signature(after), after.judgement, what);
+      if (store_) store_->add_plainer(plainer);
       Case simple = kept.found;
       simple.provenance.push_back(fmt::format("shrunk: {} triangles -> {}, {} -> {} significant bits",
                                               kept.found.bag.triangles.size(), what.bag.triangles.size(), bits_before,
                                               bits_after));
       simple.bag = what.bag;
       simple.ray = what.ray;
-      set_known(simple, kept.tracer->info().name,
-                found_bag_finding(kept.tracer->info(), *signature(after), after.judgement, what, "scan").kind);
+      set_known(simple, kept.tracer->info().name, plainer.kind);
       folder_->write(path_of(key, ".min.case"), to_text(simple));
     }
     return true;
@@ -243,8 +245,7 @@ class Run {
     }
     std::string text =
         "\nOf each kind a case, in place of which a worse one comes if it is twice as severe; how few triangles and "
-        "bits show "
-        "it (many: it takes more of the mesh than was kept):\n" +
+        "bits show it (many: it takes more of the mesh than was kept):\n" +
         to_terminal(table);
     if (!options_.folder.empty()) text += fmt::format("Cases: {}/findings\n", options_.folder);
     return text;
@@ -326,21 +327,16 @@ void add_scan(CLI::App& app) {
     aims += fmt::format("  {:<11} {}\n", scan_aim_names[k], scan_aim_summaries[k]);
   verb->footer(
       aims +
-      "\nA tracer with a tree of its own (Embree, ODE, VTK, libraries and programs of yours) gets the whole mesh, "
-      "built\n"
-      "once for each thread. One that looks at each triangle gets it up to 1024 triangles, and beyond that, for each\n"
-      "ray, the triangles whose boxes the ray meets.\n"
-      "Columns: a leak is a miss where something has to be hit by the tracer's contract: inside of a triangle, on an\n"
-      "edge, at a vertex. Through: the nearest is missed, and what lies behind it is hit. Beside: what is hit isn't "
-      "on\n"
-      "the ray at all, mostly a neighbour. Lost by culling: the tracer hits that triangle if it is asked about it "
-      "alone,\n"
-      "so that its boxes or its way through them lost it. False hits: where nothing must be hit. Unspecified: the "
-      "contract\n"
-      "leaves it open. Faults: no answer, beyond the tracer's limits or its death, of which a case is kept. Worst: "
-      "severity in ulps of the\n"
-      "largest coordinate at the tracer's own precision, see docs/scan.md. Times are of tracers that get the whole "
-      "mesh.\n"
+      "\nA tracer with a tree of its own (Embree, ODE, VTK, libraries and programs of yours) gets the whole mesh,\n"
+      "built once for each thread. One that looks at each triangle gets it up to 1024 triangles, and beyond that,\n"
+      "for each ray, the triangles whose boxes the ray meets.\n"
+      "Columns: a leak is a miss where something has to be hit by the tracer's contract: inside of a triangle, on\n"
+      "an edge, at a vertex. Through: the nearest is missed, and what lies behind it is hit. Beside: what is hit\n"
+      "isn't on the ray at all, mostly a neighbour. Lost by culling: the tracer hits that triangle if it is asked\n"
+      "about it alone, so that its boxes or its way through them lost it. False hits: where nothing must be hit.\n"
+      "Unspecified: the contract leaves it open. Faults: no answer, beyond the tracer's limits or its death, of\n"
+      "which a case is kept. Worst: severity in ulps of the largest coordinate at the tracer's own precision, see\n"
+      "docs/scan.md. Times are of tracers that get the whole mesh.\n"
       "'exact takes' is the time of the exact nearest hit over the tracer's, best measured with --jobs 1.\n\n" +
       std::string(foreign_tracers_help) +
       "\nExamples:\n"
